@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "circle_voronoi/compute.h"
+#include "circle_voronoi/options.h"
 
 namespace circle_voronoi {
 

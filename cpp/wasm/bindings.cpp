@@ -11,11 +11,11 @@
 #include <tuple>
 #include <vector>
 
-#include "circle_voronoi/certify.h"
-#include "circle_voronoi/compute.h"
+#include "certify_circles.h"
 #include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/final_cells.h"
 #include "circle_voronoi/periodic_diagram.h"
+#include "compute_circles.h"
 #include "option_names.h"
 #include "trace_arrays.h"
 #include "values.h"
@@ -82,7 +82,7 @@ val computeValue(const val& coordinates, const val& options) {
     const Result<Options> chosen = optionsFrom(options);
     if (!chosen.ok()) return errorValue(chosen.error());
     const auto circles = itemsFrom<double, Circle>(coordinates);
-    const Result<Diagram> diagram = compute(circles, chosen.value());
+    const Result<Diagram> diagram = computeCircles(circles, chosen.value());
     return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());
   });
 }
@@ -107,7 +107,7 @@ val traceValue(const val& coordinates, const val& options) {
     TraceArrays events;
     Options traced = std::move(chosen).value();
     traced.observer = events.observer();
-    const Result<Diagram> diagram = compute(itemsFrom<double, Circle>(coordinates), traced);
+    const Result<Diagram> diagram = computeCircles(itemsFrom<double, Circle>(coordinates), traced);
     if (!diagram.ok()) return errorValue(diagram.error());
     val result = val::object();
     result.set("diagram", diagramValue(diagram.value()));
@@ -120,7 +120,7 @@ val traceValue(const val& coordinates, const val& options) {
 
 val certifyValue(const val& value) {
   return valueOf([&] {
-    const Result<Certificate> certificate = certify(diagramFrom(value));
+    const Result<Certificate> certificate = certifyCircles(diagramFrom(value));
     return certificate.ok() ? certificateValue(certificate.value()) : errorValue(certificate.error());
   });
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The power diagram as a JavaScript module of its own: few pages need it, and it contains CGAL's
-// Regular_triangulation_2. Its only caller is web/lib/comparison.ts.
+// The power diagram as a JavaScript module of its own, because few pages need it. Its only caller is
+// web/lib/comparison.ts.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
 #include "values.h"
 
 namespace {
@@ -14,7 +14,7 @@ using namespace circle_voronoi;
 val powerDiagramValue(const val& coordinates) {
   return valueOf([&] {
     const auto circles = itemsFrom<double, Circle>(coordinates);
-    const Result<Diagram> diagram = powerDiagram(circles);
+    const Result<Diagram> diagram = compute(circles, {.metric = Metric::power});
     return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());
   });
 }

@@ -14,10 +14,10 @@
 
 #include "circle_voronoi/clearest_path.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/region.h"
 #include "circle_voronoi/region_queries.h"
+#include "compute_circles.h"
 #include "values.h"
 
 namespace {
@@ -115,7 +115,7 @@ val clipCell(std::uintptr_t region, const val& circles, bool weights, std::int32
   return valueOf([&] {
     Options options;
     options.weights = weights;
-    const auto diagram = compute(itemsFrom<double, Circle>(circles), options);
+    const auto diagram = computeCircles(itemsFrom<double, Circle>(circles), options);
     if (!diagram.ok()) return errorValue(diagram.error());
     const std::array<CircleIndex, 1> cells = {chosen};
     const auto clipped = ClippedDiagram::ofCells(*diagram, regionOf(region), cells, distanceFrom(maxDistance));
@@ -144,7 +144,7 @@ val polygonsValue(const ClippedPolygons& polygons) {
 /// The polygons inside a region of the cell of the first of some points. The rows of the other cells are empty.
 val clipFirstCell(std::uintptr_t region, const val& points) {
   return valueOf([&] {
-    const auto diagram = compute(itemsFrom<double, Circle>(points));
+    const auto diagram = computeCircles(itemsFrom<double, Circle>(points));
     if (!diagram.ok()) return errorValue(diagram.error());
     const std::array<CircleIndex, 1> first = {CircleIndex{0}};
     const auto clipped = ClippedDiagram::ofCells(*diagram, regionOf(region), first, std::nullopt);

@@ -15,7 +15,6 @@
 
 #include "circle_voronoi/box.h"
 #include "circle_voronoi/certify.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/fit_areas.h"
@@ -231,9 +230,9 @@ TEST(Allocation, MayFailInEdits) {
 TEST(Allocation, MayFailInComparisons) {
   const auto circles = someCircles();
   for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
-    const Diagram expected = computeComparison(circles, metric).value();
+    const Diagram expected = compute(circles, {.metric = metric}).value();
     failEachAllocation(
-        [&] { return computeComparison(circles, metric); },
+        [&] { return compute(circles, {.metric = metric}); },
         [&](const Diagram& diagram) { ASSERT_TRUE(diagram.edges == expected.edges) << static_cast<int>(metric); });
   }
 }

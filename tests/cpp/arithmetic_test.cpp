@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "circle_voronoi/certify.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 
 #ifdef __SSE2__
@@ -37,7 +36,7 @@ TEST(Arithmetic, OtherRoundingIsAnError) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     EXPECT_EQ(errorWhenRounding(mode, [&] { return compute(circles); }), ErrorCode::badArithmetic);
     EXPECT_EQ(errorWhenRounding(mode, [&] { return certify(diagram.value()); }), ErrorCode::badArithmetic);
-    EXPECT_EQ(errorWhenRounding(mode, [&] { return computeComparison(circles, Metric::power); }),
+    EXPECT_EQ(errorWhenRounding(mode, [&] { return compute(circles, {.metric = Metric::power}); }),
               ErrorCode::badArithmetic);
   }
   EXPECT_TRUE(compute(circles).ok());

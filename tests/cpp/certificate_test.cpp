@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "circle_voronoi/certify.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "diagrams.h"
 #include "dual_edits.h"
@@ -156,13 +155,13 @@ TEST(Certificate, OneOfIdenticalCirclesIsHiddenByTheOther) {
 
 TEST(Certificate, OfCentersLooksAtNoRadiiAndOfPowerDiagramsThereIsNone) {
   const std::vector<Circle> circles = {{0, 0, 5}, {4, 0, 1}, {0, 9, 7}, {3, 3, 0}};
-  const Diagram centers = computeComparison(circles, Metric::centers).value();
+  const Diagram centers = compute(circles, {.metric = Metric::centers}).value();
   EXPECT_EQ(centers.circles, circles);
   EXPECT_TRUE(certify(centers).value().certified());
   Diagram other = centers;
   other.metric = Metric::circles;
   EXPECT_FALSE(certify(other).value().certified());
-  const auto power = certify(computeComparison(circles, Metric::power).value());
+  const auto power = certify(compute(circles, {.metric = Metric::power}).value());
   ASSERT_FALSE(power.ok());
   EXPECT_EQ(power.error().code, ErrorCode::badOption);
 }

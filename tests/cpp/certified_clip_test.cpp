@@ -15,7 +15,6 @@
 
 #include "at.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "clip_families.h"
 #include "clip_parts.h"
@@ -61,7 +60,7 @@ void forFamily(const ClipFamily& family, std::uint64_t seed, Check check) {
     if (!region) continue;
     ++done;
     SCOPED_TRACE(std::string(family.name) + ", clip " + std::to_string(done) + ", seed " + std::to_string(seed));
-    const Diagram diagram = computeComparison(input.circles, input.metric).value();
+    const Diagram diagram = compute(input.circles, {.metric = input.metric}).value();
     const auto clipped = ClippedDiagram::from(diagram, *region);
     ASSERT_TRUE(clipped) << clipped.error().message;
     check(input, *region, diagram, *clipped);
@@ -249,7 +248,7 @@ TEST_P(ClipFamilies, DoNotDependOnOrderAndPlace) {
               const auto areas = clipped.areas();
               const auto expectSame = [&](const std::vector<Circle>& circles, const std::vector<Region::Ring>& rings,
                                           const std::vector<double>& expected, const char* what) {
-                const Diagram other = computeComparison(circles, input.metric).value();
+                const Diagram other = compute(circles, {.metric = input.metric}).value();
                 const Region moved = Region::fromRings(rings).value();
                 const auto again = ClippedDiagram::from(other, moved);
                 ASSERT_TRUE(again) << what << ": " << again.error().message;
@@ -351,7 +350,7 @@ TEST(ClippedDiagram, AreasFarFromTheOriginAreThoseAtTheOrigin) {
         auto corners = ring;
         for (Circle& c : there) c = {c.x + offset, c.y - offset, c.r};
         for (Point& p : corners) p = {p.x + offset, p.y - offset};
-        const Diagram diagram = computeComparison(there, metric).value();
+        const Diagram diagram = compute(there, {.metric = metric}).value();
         const Region region = test::regionFrom({corners});
         return ClippedDiagram::from(diagram, region).value().areas();
       };

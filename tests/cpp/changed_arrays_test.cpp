@@ -16,7 +16,6 @@
 
 #include "check_arrays.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi_families/families.h"
@@ -137,7 +136,7 @@ TEST(ChangedArrays, AreAResultOrAnError) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 ofRun(seed);
     for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
-      const Diagram diagram = computeComparison(generate(family, 40, seed), metric).value();
+      const Diagram diagram = compute(generate(family, 40, seed), {.metric = metric}).value();
       const Region region = hallAround(diagram);
       ASSERT_TRUE(checkArrays(diagram)) << checkArrays(diagram).error().message;
       changeEachArray(diagram, ofRun, [&](const Diagram& changed) { useAll(changed, region); });

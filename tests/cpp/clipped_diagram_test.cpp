@@ -14,7 +14,6 @@
 #include <tuple>
 #include <utility>
 
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi_families/families.h"
@@ -86,7 +85,7 @@ void forHardRegions(Check check) {
   std::mt19937_64 random(seed);
   for (const auto& [name, circles] : inputs(random)) {
     for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
-      const Diagram diagram = computeComparison(circles, metric).value();
+      const Diagram diagram = compute(circles, {.metric = metric}).value();
       for (const RegionShape& shape : hardRegions(diagram, random)) {
         SCOPED_TRACE(name + ", " + std::string(metricName(metric)) + ", " + shape.name + ", seed " +
                      std::to_string(seed));
@@ -167,7 +166,7 @@ TEST(ClippedDiagram, ARegionAndItsComplementAddUp) {
   std::mt19937_64 random(seedOr(33));
   const Region::Ring box = {{-0.5, -0.5}, {1.5, -0.5}, {1.5, 1.5}, {-0.5, 1.5}};
   for (const auto& [name, circles] : inputs(random)) {
-    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
     const Region::Ring star = test::starRing(random, {0.5, 0.5}, 0.1, 0.9, 50);
     const Region whole = test::regionFrom({box});
     const Region inside = test::regionFrom({star});
@@ -182,7 +181,7 @@ TEST(ClippedDiagram, ARegionAndItsComplementAddUp) {
 
 TEST(ClippedDiagram, NeighborsShareAnEdgeInTheRegion) {
   const Diagram diagram =
-      computeComparison(std::vector<Circle>{{0, 0, 1}, {4, 0, 1}, {2, 3, 1}}, Metric::circles).value();
+      compute(std::vector<Circle>{{0, 0, 1}, {4, 0, 1}, {2, 3, 1}}, {.metric = Metric::circles}).value();
   const Region all = Region::from(Box{-9, -9, 9, 9}).value();
   EXPECT_EQ(ClippedDiagram::from(diagram, all)->neighbors(0).size(), 2U);
   // Below the vertex only the edge of the first two circles is left, and in a hole of the region none.
@@ -199,7 +198,7 @@ TEST(ClippedDiagram, MaxDistanceAndRegionAreWhatSamplesSay) {
   for (const auto& [name, circles] : inputs(random)) {
     if (name == "grid" || name == "grid of two sizes" || name == "far from the origin") continue;
     for (const Metric metric : {Metric::circles, Metric::centers}) {
-      const Diagram diagram = computeComparison(circles, metric).value();
+      const Diagram diagram = compute(circles, {.metric = metric}).value();
       const Region region = test::regionFrom(
           {test::starRing(random, {0.5, 0.5}, 0.3, 0.8, 40), test::starRing(random, {0.5, 0.5}, 0.02, 0.2, 11)});
       for (const double distance : {0.02, 0.1, 0.3, 5.0}) {
@@ -218,7 +217,7 @@ TEST(ClippedDiagram, MaxDistanceAndRegionAreWhatSamplesSay) {
 TEST(ClippedDiagram, FlatArraysAreTheOutlines) {
   std::mt19937_64 random(seedOr(35));
   const auto circles = inputs(random)[1].second;
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const Region region = test::regionFrom(
       {test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40), test::starRing(random, {0.5, 0.5}, 0.001, 0.01, 5)});
   for (const std::optional<double> distance : {std::optional<double>(), std::optional<double>(0.05)}) {
@@ -265,7 +264,7 @@ TEST(ClippedDiagram, FlatArraysAreTheOutlines) {
 TEST(ClippedDiagram, MeasuresWithinADistanceAreThoseOfTheOutlines) {
   std::mt19937_64 random(seedOr(37));
   const auto circles = inputs(random)[1].second;
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const Region region = test::regionFrom({test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40)});
   const ClippedDiagram clipped = ClippedDiagram::from(diagram, region, 0.05).value();
   const std::vector<double> areas = clipped.areas();
@@ -343,12 +342,12 @@ TEST(ClippedDiagram, OfEquallyLargeEmptyDiscsTheFirstIsTheLargest) {
 
 TEST(ClippedDiagram, RefusesUnsupportedArguments) {
   const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 1}};
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
-  const Diagram power = computeComparison(circles, Metric::power).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
+  const Diagram power = compute(circles, {.metric = Metric::power}).value();
   const Region region = Region::from(Box{0, 0, 1, 1}).value();
   EXPECT_EQ(ClippedDiagram::from(diagram, region, 1.3e30).error().code, ErrorCode::badOption);
   EXPECT_EQ(ClippedDiagram::from(power, region, 1).error().message, "A power diagram has no maximum distance.");
-  const Diagram none = computeComparison(std::vector<Circle>{}, Metric::circles).value();
+  const Diagram none = compute(std::vector<Circle>{}, {.metric = Metric::circles}).value();
   EXPECT_TRUE(ClippedDiagram::from(none, region)->areas().empty());
   EXPECT_FALSE(ClippedDiagram::from(none, region)->largestEmptyDisc());
 }

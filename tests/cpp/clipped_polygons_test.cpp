@@ -13,7 +13,7 @@
 #include <tuple>
 
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
 #include "clip_families.h"
 #include "in_circle.h"
 #include "region_shapes.h"
@@ -69,7 +69,7 @@ TEST(ClippedPolygons, AreasAreThoseOfBoostGeometry) {
   const Region box = test::regionOf(Box{-3, -3, 4, 4});
   for (int trial = 0; trial < 3; ++trial) {
     const auto circles = randomCircles(random, 30, 0.1);
-    const Diagram diagram = computeComparison(circles, trial == 1 ? Metric::power : Metric::circles).value();
+    const Diagram diagram = compute(circles, {.metric = trial == 1 ? Metric::power : Metric::circles}).value();
     const std::vector<std::vector<Region::Ring>> shapes = {
         {test::starRing(random, {0.5, 0.5}, 0.2, 0.8, 25), test::starRing(random, {0.5, 0.5}, 0.02, 0.15, 9)},
         {test::combRing({0.1, 0.05, 0.95, 0.9}, 7)},
@@ -130,7 +130,7 @@ void expectCoverage(const ClippedPolygons& polygons, const Region& region, doubl
 TEST(ClippedPolygons, APartThatIsThinnerThanTheToleranceLeavesNoPoints) {
   // The right side of the region cuts off the tip of the first cell, which a chord along that side stands for.
   const std::vector<Circle> circles = {{4, 0, 0}, {0, 0, 2}};
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const Region region = test::regionFrom({{{-1, -2}, {3.1, -2}, {3.1, 2}, {-1, 2}}});
   const ClippedPolygons polygons = ClippedDiagram::from(diagram, region).value().polygons(1);
   EXPECT_EQ(polygons.polygonOffsets, (std::vector<std::int32_t>{0, 0, 1}));
@@ -160,9 +160,7 @@ TEST(ClippedPolygons, AHoleThatTouchesASideTwiceCutsOffWhatLiesBetween) {
 TEST(ClippedPolygons, ALakeOfAnIslandIsAHoleOfTheIsland) {
   // The whole cell of the circle in the middle lies around a lake with an island, which has a lake itself.
   const Diagram diagram =
-      computeComparison(std::vector<Circle>{{0, 0, 0}, {20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, -20, 0}},
-                        Metric::circles)
-          .value();
+      compute(std::vector<Circle>{{0, 0, 0}, {20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, -20, 0}}).value();
   const auto square = [](double half) {
     return Region::Ring{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
   };
@@ -187,7 +185,7 @@ TEST(ClippedPolygons, HolesLieInThePolygonAroundThemWhereManyTouch) {
     if (k % 3 == 0) add(0.2);
   }
   const Region region = Region::fromRings(rings).value();
-  const Diagram diagram = computeComparison(std::vector<Circle>{{3, 1, 1}, {50, 20, 1}}, Metric::circles).value();
+  const Diagram diagram = compute(std::vector<Circle>{{3, 1, 1}, {50, 20, 1}}, {.metric = Metric::circles}).value();
   expectCoverage(ClippedDiagram::from(diagram, region).value().polygons(1e-3), region, 1e-9);
 }
 
@@ -195,7 +193,7 @@ TEST(ClippedPolygons, AreAValidCoverageAtAnyTolerance) {
   std::mt19937_64 random(test::seedOr(4));
   for (int trial = 0; trial < 12; ++trial) {
     const auto circles = randomCircles(random, 25, trial % 2 == 0 ? 0.1 : 0.4);
-    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
     const std::vector<std::vector<Region::Ring>> shapes = {
         {test::starRing(random, {0.5, 0.5}, 0.2, 0.8, 60)},
         {test::starRing(random, {0.5, 0.5}, 0.5, 0.8, 30), test::starRing(random, {0.5, 0.5}, 0.02, 0.4, 40)},
@@ -224,14 +222,14 @@ TEST(ClippedPolygons, HaveRoundedCornersAlsoAtCirclesOfTheSmallestNumbers) {
     SCOPED_TRACE(trial);
     std::vector<Circle> circles = {{0, 0, 0}, {0.5, 0, number()}};
     for (int i = 0; i < 6; ++i) circles.push_back({number(), number(), number()});
-    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
     const ClippedPolygons polygons = ClippedDiagram::from(diagram, region).value().polygons(1e-3);
     for (const Point& p : polygons.points) ASSERT_EQ(p, rounded(p));
   }
 }
 
 TEST(ClippedPolygons, CornersBetweenAnArcAndItsChordCountWhateverPartOfTheBoundaryCameBefore) {
-  const Diagram diagram = computeComparison(std::vector<Circle>{{0, 0, 5}, {8, 0, 0.5}}, Metric::circles).value();
+  const Diagram diagram = compute(std::vector<Circle>{{0, 0, 5}, {8, 0, 0.5}}, {.metric = Metric::circles}).value();
   // A corner in the second cell, after a stretch far from its border in the first one; and a hole after another hole.
   const std::vector<std::vector<Region::Ring>> shapes = {
       {{{6.26, 0}, {6.884, 20}, {-30, 20}, {-30, -20}, {6.884, -20}}},

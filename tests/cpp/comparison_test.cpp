@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "circle_voronoi/comparison.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +31,7 @@ TEST_P(Comparison, CellsContainTheNearestPointsAndFillTheBox) {
     for (const std::size_t count : {1U, 2U, 3U, 10U, 100U}) {
       SCOPED_TRACE(std::string(family.name) + " " + std::to_string(count));
       const auto circles = generate(family.family, count, count);
-      const auto computed = computeComparison(circles, GetParam());
+      const auto computed = compute(circles, {.metric = GetParam()});
       ASSERT_TRUE(computed) << computed.error().message;
       const Diagram& diagram = computed.value();
       const Finder finder(diagram);
@@ -59,7 +58,7 @@ TEST_P(Comparison, CellsContainTheNearestPointsAndFillTheBox) {
 TEST_P(Comparison, EdgesAreStraightAndAtEqualDistances) {
   if (GetParam() == Metric::circles) return;
   const auto circles = generate(Family::uniform, 200, 5);
-  const Diagram diagram = computeComparison(circles, GetParam()).value();
+  const Diagram diagram = compute(circles, {.metric = GetParam()}).value();
   for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
     const EdgeCurve curve = edgeCurve(diagram, static_cast<std::int32_t>(e));
     EXPECT_TRUE(curve.isStraight());
@@ -76,7 +75,7 @@ TEST_P(Comparison, OfEqualCirclesIsTheirDiagram) {
   auto circles = generate(Family::uniform, 300, 6);
   for (Circle& c : circles) c.r = 0.5;
   const Diagram expected = compute(circles).value();
-  const Diagram actual = computeComparison(circles, GetParam()).value();
+  const Diagram actual = compute(circles, {.metric = GetParam()}).value();
   const auto sorted = [](std::vector<std::array<CircleIndex, 3>> triples) {
     for (auto& triple : triples) std::ranges::rotate(triple, std::ranges::min_element(triple));
     std::ranges::sort(triples);
@@ -88,10 +87,10 @@ TEST_P(Comparison, OfEqualCirclesIsTheirDiagram) {
 
 TEST_P(Comparison, RejectsWhatComputeRejects) {
   const std::vector<Circle> circles = {{0, 0, 1}, {1, 0, -1}};
-  const auto result = computeComparison(circles, GetParam());
+  const auto result = compute(circles, {.metric = GetParam()});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::negativeRadius);
-  EXPECT_TRUE(computeComparison({}, GetParam()));
+  EXPECT_TRUE(compute({}, {.metric = GetParam()}));
 }
 
 std::string nameOfMetricTest(const testing::TestParamInfo<Metric>& metric) {
@@ -104,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Metrics, Comparison, testing::Values(Metric::circles, M
 
 TEST(ComparisonOfPower, TheRadiusOfAVertexIsThatOfTheCircleAtRightAngles) {
   const std::vector<Circle> circles = {{0, 0, 1}, {8, 0, 1}, {0, 8, 1}};
-  const Diagram diagram = computeComparison(circles, Metric::power).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::power}).value();
   ASSERT_EQ(diagram.vertices.size(), 1U);
   EXPECT_EQ(diagram.vertices[0].x, 4);
   EXPECT_EQ(diagram.vertices[0].y, 4);
@@ -114,7 +113,7 @@ TEST(ComparisonOfPower, TheRadiusOfAVertexIsThatOfTheCircleAtRightAngles) {
 TEST(ComparisonOfPower, ACircleMayHaveNoCellThoughNoneContainsIt) {
   const std::vector<Circle> circles = {{0, 0, 3}, {4, 0, 3}, {2, 3, 1}, {2, 0.3, 1.9}};
   EXPECT_TRUE(compute(circles).value().hidden.empty());
-  EXPECT_EQ(computeComparison(circles, Metric::power).value().hidden, (std::vector<HiddenCircle>{{3, kNone}}));
+  EXPECT_EQ(compute(circles, {.metric = Metric::power}).value().hidden, (std::vector<HiddenCircle>{{3, kNone}}));
 }
 
 TEST(ComparisonOfPower, CirclesInAColumnFollowOneAnother) {
@@ -124,7 +123,7 @@ TEST(ComparisonOfPower, CirclesInAColumnFollowOneAnother) {
       const double place = 7 * k % 40;
       circles.push_back(isColumn ? Circle{7, place, 1} : Circle{place, 7, 1});
     }
-    const Diagram diagram = computeComparison(circles, Metric::power).value();
+    const Diagram diagram = compute(circles, {.metric = Metric::power}).value();
     const auto placeOf = [&](CircleIndex i) {
       const Circle& c = circles[static_cast<std::size_t>(i)];
       return isColumn ? c.y : c.x;
@@ -139,14 +138,14 @@ TEST(ComparisonOfPower, CirclesInAColumnFollowOneAnother) {
 // The same bits wherever the heap puts things.
 TEST(PowerDiagram, DoesNotDependOnAddresses) {
   const auto circles = generate(Family::grid, 36, 1);
-  const Diagram expected = computeComparison(circles, Metric::power).value();
+  const Diagram expected = compute(circles, {.metric = Metric::power}).value();
   Random random(1);
   std::vector<std::unique_ptr<char[]>> holes(500);
   for (int trial = 0; trial < 30; ++trial) {
     for (auto& hole : holes) {
       hole = random.below(2) == 0 ? nullptr : std::make_unique<char[]>(1 + random.below(8000));
     }
-    const Diagram diagram = computeComparison(circles, Metric::power).value();
+    const Diagram diagram = compute(circles, {.metric = Metric::power}).value();
     ASSERT_TRUE(diagram.edges == expected.edges);
     ASSERT_TRUE(diagram.vertices == expected.vertices);
     ASSERT_EQ(diagram.hull, expected.hull);
@@ -161,7 +160,7 @@ TEST(PowerDiagram, VerticesOfCentersNextToEachOtherAreRight) {
                                                    {{0, 0, 0}, {1, 1, 0}, {2, 2 + 2 * ulp, 0}},
                                                    {{1e10, 1, 0}, {1e10 + 0x1p-19, 1, 0}, {0, 0, 0}, {0, 1e10, 0}}};
   for (const auto& circles : inputs) {
-    const auto diagram = computeComparison(circles, Metric::power);
+    const auto diagram = compute(circles, {.metric = Metric::power});
     ASSERT_TRUE(diagram) << diagram.error().message;
     ASSERT_FALSE(diagram.value().vertices.empty());
     for (std::size_t v = 0; v < diagram.value().vertices.size(); ++v) {
@@ -191,7 +190,7 @@ TEST(PowerDiagram, ExactVerticesAreRoundedOnce) {
   const double radius = unit - 0x1p-81;
   const Circle far = {3, 0x1p-30, std::sqrt(6) * (1 - 0x1p-34)};
   const Diagram diagram =
-      computeComparison(std::vector<Circle>{{0, 0, 3 * unit}, {1, 0, radius}, far}, Metric::power).value();
+      compute(std::vector<Circle>{{0, 0, 3 * unit}, {1, 0, radius}, far}, {.metric = Metric::power}).value();
   ASSERT_EQ(diagram.vertices.size(), 1U);
   EXPECT_EQ(diagram.vertices[0].x, 0.5 + 0x1p-53);
 }
@@ -225,7 +224,7 @@ TEST(PowerDiagram, EveryVertexInRangeIsRight) {
     const Real x = (half(u) * v.y - half(v) * u.y) / determinant;
     const Real y = (half(v) * u.x - half(u) * v.x) / determinant;
     const Real square = x * x + y * y;
-    const auto diagram = computeComparison(circles, Metric::power);
+    const auto diagram = compute(circles, {.metric = Metric::power});
     if (!diagram) {
       EXPECT_EQ(diagram.error().code, ErrorCode::coordinateTooSmall);
     } else if (!diagram.value().vertices.empty()) {
@@ -249,7 +248,7 @@ TEST(PowerDiagram, TheFarthestVertexIsFinite) {
                                                    {{0, 0, 0}, {limit, 0, 0}, {-limit, step, 0}},
                                                    {{0, 0, limit}, {limit, 0, 0}, {-limit, step, limit / 4}}};
   for (const auto& circles : inputs) {
-    const Diagram diagram = computeComparison(circles, Metric::power).value();
+    const Diagram diagram = compute(circles, {.metric = Metric::power}).value();
     for (const Vertex& vertex : diagram.vertices) {
       EXPECT_TRUE(std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.r));
     }

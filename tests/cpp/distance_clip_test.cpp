@@ -12,7 +12,7 @@
 
 #include "at.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
 #include "clip_families.h"
 #include "clip_parts.h"
 #include "independent_clip.h"
@@ -289,7 +289,7 @@ void forFamily(const DistanceFamily& family, std::uint64_t seed, int count, Chec
     if (!region) continue;
     ++done;
     SCOPED_TRACE(std::string(family.name) + ", clip " + std::to_string(done) + ", seed " + std::to_string(seed));
-    const Diagram diagram = computeComparison(input.clip.circles, input.clip.metric).value();
+    const Diagram diagram = compute(input.clip.circles, {.metric = input.clip.metric}).value();
     const auto clipped = ClippedDiagram::from(diagram, *region, input.distance);
     ASSERT_TRUE(clipped) << clipped.error().message;
     check(input, *clipped, random);
@@ -343,7 +343,7 @@ TEST_P(DistanceFamilies, HaveValidPolygonsAtAnyTolerance) {
 
 /// Expects all cells of an independent clip.
 void expectCells(const std::vector<Circle>& circles, const Region& region, double distance, double size) {
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const auto clipped = ClippedDiagram::from(diagram, region, distance);
   ASSERT_TRUE(clipped) << clipped.error().message;
   const auto expected = cellsByBruteForce(circles, region, Metric::circles, distance);
@@ -374,7 +374,7 @@ TEST(DistanceClip, NestedTangentAndHugeCirclesHaveTheRightCells) {
 TEST(DistanceClip, ARimThatTouchesAnEdgeInAPointOfAnotherEdgeGoesTheShortWay) {
   const std::vector<Circle> circles = {{8, 6, 0},   {20, 15, 15},  {90, -48, 92}, {90, 56, 96},     {100, -105, 135},
                                        {0, 76, 66}, {-40, 75, 75}, {28, 45, 43},  {105, -100, 135}, {8, -15, 7}};
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const Region region = test::regionFrom({{{0, 0}, {-42, 7}, {-74, -94}}});
   const auto clipped = ClippedDiagram::from(diagram, region, 10);
   ASSERT_TRUE(clipped) << clipped.error().message;
@@ -387,7 +387,7 @@ TEST(DistanceClip, ARimThatTouchesAnEdgeInAPointOfAnotherEdgeGoesTheShortWay) {
 // A disc far smaller than a rounding step at its center is a tiny disc, or nothing.
 TEST(DistanceClip, DiscsThatCollapseInCoordinatesAreEmpty) {
   const std::vector<Circle> circles = {{1, 1, 1e-17}, {5, 5, 1}, {1e15, -1e15, 0.25}};
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const Region region = test::regionFrom({{{-2e15, -2e15}, {2e15, -2e15}, {2e15, 2e15}, {-2e15, 2e15}}});
   for (const double distance : {0.0, 1e-18, -1e-17, -5e-18, 1e-300}) {
     const auto clipped = ClippedDiagram::from(diagram, region, distance).value();
@@ -408,7 +408,7 @@ TEST(DistanceClip, DiscsThatCollapseInCoordinatesAreEmpty) {
 // A chord of the rim cut the hole.
 TEST(DistanceClip, ChordsOfRimsDoNotCutHoles) {
   const std::vector<Circle> circles = {{0, 130, 50}, {200, 0, 0}};
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const Region region = test::regionFrom({{{0, -800}, {800, 0}, {0, 800}}, {{0, 0}, {60, 40}, {10, 0}}});
   const auto clipped = ClippedDiagram::from(diagram, region, 60).value();
   for (double tolerance = 1e-7; tolerance < 1e5; tolerance *= 3) expectValidPolygons(clipped, tolerance, 1e-9);
@@ -460,7 +460,7 @@ void expectFaultsRefused(const ClippedDiagram& clipped, CircleIndex circle) {
 
 TEST(DistanceClip, LoopsThatAreWrongAreRefused) {
   const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 2}, {1, 5, 1}};
-  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
   const Region region = test::regionFrom({{{-3, -3}, {6, -2}, {5, 6}, {-2, 6}}, {{-1, 0}, {-0.5, -0.5}, {-0.5, 0.5}}});
   const auto clipped = ClippedDiagram::from(diagram, region, 1.25).value();
   for (const CircleIndex i : {0, 1, 2}) expectFaultsRefused(clipped, i);
@@ -479,7 +479,7 @@ TEST(DistanceClip, LoopsThatAreWrongAreRefusedAlsoWhollyWithinTheDistance) {
       const Point p = {x + unit(random) - 0.5, 6 * unit(random) - 3};
       rings.push_back({p, {p.x + 0.5, p.y}, {p.x + 0.25, p.y + 0.5}});
     }
-    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const Diagram diagram = compute(circles, {.metric = Metric::circles}).value();
     const Region region = Region::fromRings(rings).value();
     const auto clipped = ClippedDiagram::from(diagram, region, 40).value();
     for (const CircleIndex i : {0, 1, 2}) {

@@ -4,7 +4,7 @@
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize|--coverage")
   return()
 endif()
-set(layers base numbers diagram sites judge dual touching_disc construct edit sphere comparison geometry regions fit families io)
+set(layers base numbers diagram sites judge dual touching_disc construct edit sphere metrics geometry regions fit families io)
 add_executable(circle_voronoi_growth_tests
   growth.cpp
   growth_clip_test.cpp

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "circle_voronoi/certify.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/sphere.h"
@@ -29,18 +28,19 @@ TEST(GrowthOfDiagrams, OfTheirProof) {
 }
 
 TEST(GrowthOfDiagrams, OfCenters) {
-  expectGrowth({"computeComparison", "comparison.h",
+  expectGrowth({"compute of centers", "compute.h",
                 [](const GrowthInput& input) {
-                  return [circles = input.circles] { EXPECT_TRUE(computeComparison(circles, Metric::centers)); };
+                  return [circles = input.circles] { EXPECT_TRUE(compute(circles, {.metric = Metric::centers})); };
                 },
                 circleFamilies()});
 }
 
 TEST(GrowthOfDiagrams, OfPowers) {
-  expectGrowth(
-      {"powerDiagram", "comparison.h",
-       [](const GrowthInput& input) { return [circles = input.circles] { EXPECT_TRUE(powerDiagram(circles)); }; },
-       circleFamilies()});
+  expectGrowth({"compute of powers", "compute.h",
+                [](const GrowthInput& input) {
+                  return [circles = input.circles] { EXPECT_TRUE(compute(circles, {.metric = Metric::power})); };
+                },
+                circleFamilies()});
 }
 
 /// The circles on a sphere of radius 1, over half of it.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
 #include "fixtures.h"
@@ -73,7 +72,7 @@ TEST(Hull, OfPointsIsAPolygon) {
 TEST(Hull, OfOtherMetricsIsThatOfTheCenters) {
   for (const Metric metric : {Metric::centers, Metric::power}) {
     const Hull hull =
-        convexHull(computeComparison(std::vector<Circle>{{0, 0, 1}, {3, 0, 1.5}, {0, 4, 1}}, metric).value());
+        convexHull(compute(std::vector<Circle>{{0, 0, 1}, {3, 0, 1.5}, {0, 4, 1}}, {.metric = metric}).value());
     EXPECT_DOUBLE_EQ(hull.length, 12);
     EXPECT_DOUBLE_EQ(hull.area, 6);
   }

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "circle_voronoi/certify.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi_families/families.h"
@@ -54,7 +53,7 @@ TEST(ReadDiagram, ReadsBackWhatWasWrittenToTheBit) {
 TEST(ReadDiagram, ReadsTheMetric) {
   const auto circles = generate(Family::intersecting, 30, 2);
   for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
-    const Diagram diagram = computeComparison(circles, metric).value();
+    const Diagram diagram = compute(circles, {.metric = metric}).value();
     const auto read = readDiagram(written(diagram), "file");
     ASSERT_TRUE(read.ok()) << read.error().message;
     EXPECT_EQ(read.value().metric, metric);

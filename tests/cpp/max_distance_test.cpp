@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "circle_voronoi/cells.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi_families/families.h"
@@ -343,7 +342,7 @@ TEST(MaxDistance, BothSidesOfAnEdgeAreCutInTheSamePoints) {
 // In the diagram of the centers, a cell is cut at that distance from its center.
 TEST(MaxDistance, OfTheCentersIsCutAroundThese) {
   const Circles circles = {{0, 0, 1}, {4, 0, 0.5}};
-  const Diagram diagram = computeComparison(circles, Metric::centers).value();
+  const Diagram diagram = compute(circles, {.metric = Metric::centers}).value();
   const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
   EXPECT_NEAR(area(outlineWithin(diagram, 0, 3)), 9 * kPi - segment, 1e-13);
   EXPECT_NEAR(area(outlineWithin(diagram, 1, 3)), 9 * kPi - segment, 1e-13);

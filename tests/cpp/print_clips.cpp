@@ -8,7 +8,7 @@
 #include <random>
 
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
 #include "clip_families.h"
 #include "rings.h"
 
@@ -36,7 +36,7 @@ void print(const ClipFamily& family, int count, std::uint64_t seed) {
     const ClipInput input = family.make(random);
     const auto region = Region::fromRings(input.rings);
     if (!region || !hasPolygons(input)) continue;
-    const Diagram diagram = computeComparison(input.circles, input.metric).value();
+    const Diagram diagram = compute(input.circles, {.metric = input.metric}).value();
     const auto clipped = ClippedDiagram::from(diagram, *region).value();
     const double tolerance = kTolerances[static_cast<std::size_t>(done++ % 3)] * extentOf(*region);
     const ClippedPolygons polygons = clipped.polygons(tolerance);

@@ -8,7 +8,6 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clearest_path.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/finder.h"
@@ -120,7 +119,7 @@ void measureQueries(const Diagram& diagram, const Box& box, MeasuresOfCells& all
 }
 
 MeasuresOfCells measure(const std::vector<Circle>& circles, Metric metric, const Box& box, double scale) {
-  const Diagram diagram = computeComparison(circles, metric).value();
+  const Diagram diagram = compute(circles, {.metric = metric}).value();
   MeasuresOfCells all;
   measureCurves(diagram, box, 1e-4 * scale, all);
   measureCells(diagram, box, all);

@@ -37,7 +37,7 @@ inline constexpr std::size_t kMostCircles = 24;
 /// The diagram with numbers overwritten, which may be right or wrong afterwards.
 Diagram corrupted(Diagram diagram, std::span<const Edit> edits);
 
-/// Whether the products of four numbers of a power diagram do not underflow (powerDiagram).
+/// Whether the products of four numbers of a power diagram do not underflow (compute).
 inline bool isExact(const Diagram& diagram) {
   double largest = 0;
   double least = 1e300;

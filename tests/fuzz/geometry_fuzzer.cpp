@@ -24,7 +24,7 @@
 #include "cell_polygons.h"
 #include "circle_voronoi/clearest_path.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/merged.h"
@@ -302,7 +302,7 @@ void run(std::span<const std::uint8_t> bytes) {
     y *= view.scale;
     r *= view.scale;
   }
-  const auto diagram = computeComparison(circles, view.metric);
+  const auto diagram = compute(circles, {.metric = view.metric});
   if (!diagram) return;
   const Box whole = exportBox(circles);
   const double extent = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);

@@ -21,7 +21,7 @@
 #include <tuple>
 
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
 #include "fuzz_input.h"
 
 namespace circle_voronoi::fuzz {
@@ -150,7 +150,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto metric = static_cast<Metric>(data[0] % 3);
   const std::size_t count = std::min<std::size_t>(data[1] % (kMostPoints + 1), (size - 3) / 2);
   const Input input = decode({data + 3 + 2 * count, size - 3 - 2 * count});
-  const auto diagram = computeComparison(input.circles, metric);
+  const auto diagram = compute(input.circles, {.metric = metric});
   if (!diagram || diagram->circles.empty()) return 0;
   const Box box = boxOf(*diagram);
   std::vector<Region::Ring> rings(1);

@@ -19,7 +19,6 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clearest_path.h"
-#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/finder.h"
@@ -247,7 +246,7 @@ Result<Diagram> diagramOf(const std::vector<Circle>& circles, std::string_view m
     return compute(circles, options);
   }
   for (const Metric known : {Metric::circles, Metric::centers, Metric::power}) {
-    if (metric == metricName(known)) return computeComparison(circles, known);
+    if (metric == metricName(known)) return compute(circles, {.metric = known});
   }
   return Error{ErrorCode::badOption, -1, "There is no such metric."};
 }

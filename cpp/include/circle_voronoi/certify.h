@@ -24,12 +24,12 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// diagram from any program can reach 40 bits. The vertices of `compute` always pass.
 ///
 /// `certify` reads everything but `stats` and the diagram's own `certificate`. The links must equal the result of
-/// `linkSides`. For Metric::centers the radii are ignored. For Metric::power there is no certificate. Takes linear
-/// time.
+/// `linkSides`. For Metric::centers the radii are ignored. For Metric::power, the place of a vertex is right to 40 bits
+/// of its distance from its circles, and its power to 40 bits of the squares of such distances and of radii. Takes
+/// linear time.
 ///
 /// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, coordinateTooSmall,
-/// tooManyCircles, badArithmetic;
-/// badOption for Metric::power; internal.
+/// tooManyCircles, badArithmetic, internal.
 Result<Certificate> certify(const Diagram& diagram);
 
 }  // namespace circle_voronoi

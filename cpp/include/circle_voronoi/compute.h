@@ -1,43 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
-#include "circle_voronoi/limits.h"
-#include "circle_voronoi/method.h"
-#include "circle_voronoi/progress.h"
-#include "circle_voronoi/trace.h"
+#include "circle_voronoi/options.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
-
-inline constexpr int kDefaultDynamicSamples = 1;
-inline constexpr int kDefaultUniformSamples = 50;
-
-struct Options {
-  /// Whether the radii are additive weights, which may be negative.
-  bool weights = false;
-  Method method = Method::automatic;
-  /// The number of threads that may work at the same time; 0 means one for each hardware thread. The result has the
-  /// same bits for any number. WebAssembly uses one thread.
-  int threads = 1;
-  /// Used by the touching disc method only, like `samples` and `resample`.
-  Candidates candidates = Candidates::dynamic;
-  /// For dynamic candidates N_s, the number of samples inside each angle of a Delaunay face, 0 to kMaxSamples.
-  /// For uniform candidates m, the number of samples on each circle, 1 to kMaxSamples.
-  /// By default kDefaultDynamicSamples or kDefaultUniformSamples. Not used for allPairs.
-  std::optional<int> samples = {};
-  /// For dynamic candidates: if the diagram is not certified, take more samples around the flaw and try again.
-  bool resample = false;
-  /// Called for each event (trace.h). An empty observer costs nothing.
-  Observer observer;
-  /// Called as the computation proceeds. An empty one costs nothing.
-  Progress progress;
-};
 
 /// Computes the Voronoi diagram of `circles`.
 ///
@@ -56,6 +28,15 @@ struct Options {
 /// the vertices keep their bits, and the radii of the vertices decrease by that number. This requires that the sums do
 /// not round. The order of vertices and edges may change.
 ///
+/// In another metric (Options::metric), the result is the diagram of the same circles by another distance. For
+/// Metric::centers the radius of a vertex is its distance from its three centers, and circles that share a center are
+/// hidden by the first of them. Metric::power gives the power (Laguerre) diagram, whose cells have straight borders.
+/// The radius of its vertex is that of the circle orthogonal to the vertex's three circles, or minus the root of minus
+/// their power where these overlap. A circle without a cell is hidden by a visible one whose center is a corner of the
+/// Delaunay triangle around its own center; no single circle need contain it. The center of a circle may lie outside
+/// its cell. Weights are exact: squares of radii are not rounded. Both metrics have one method only, `automatic`, and
+/// no events.
+///
 /// With `automatic` the result is certified, or there is an error. With the other methods the diagram comes with its
 /// certificate and may be wrong where the certificate says so.
 ///
@@ -65,7 +46,8 @@ struct Options {
 /// 40).
 ///
 /// Errors: nonFinite, negativeRadius (without `weights`), coordinateTooLarge (these three name the first such circle),
-/// coordinateTooSmall, badOption, tooManyCircles, notCertified, badArithmetic, internal.
+/// coordinateTooSmall, badOption (also for an observer or another method in another metric), tooManyCircles,
+/// notCertified, badArithmetic, internal.
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi

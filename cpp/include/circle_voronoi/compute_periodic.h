@@ -5,8 +5,8 @@
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
-#include "circle_voronoi/compute.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/options.h"
 #include "circle_voronoi/periodic_diagram.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {

@@ -36,8 +36,9 @@ struct Bisector {
 };
 
 /// Returns the bisector of two circles that both have a cell. For Metric::power `apex` is where the radical axis
-/// crosses the line of centers, and may be negative.
-[[nodiscard]] Bisector bisector(const Circle& left, const Circle& right, Metric metric = Metric::circles);
+/// crosses the line of centers, and may be negative. `weights`: as in Options; for Metric::power only.
+[[nodiscard]] Bisector bisector(const Circle& left, const Circle& right, Metric metric = Metric::circles,
+                                bool weights = false);
 
 /// Returns the point with parameter s.
 [[nodiscard]] Point pointAt(const Bisector& bisector, double s);

@@ -13,13 +13,13 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 enum class Metric {
   circles,  ///< |p - c| - r, signed: the Voronoi diagram of circles
   centers,  ///< |p - c|: the ordinary Voronoi diagram of the centers
-  power,    ///< |p - c|^2 - r^2: the power (Laguerre) diagram
+  power,    ///< |p - c|^2 - r^2, or |p - c|^2 - w with weights: the power (Laguerre) diagram
 };
 
 /// Returns the name of a metric, as in the enumeration.
 [[nodiscard]] std::string_view metricName(Metric metric);
 
-/// Returns the distance of p from a circle.
-[[nodiscard]] double distance(Metric metric, const Circle& circle, Point p);
+/// Returns the distance of p from a circle, whose third number is its radius, or its weight (Options::weights).
+[[nodiscard]] double distance(Metric metric, const Circle& circle, Point p, bool weights = false);
 
 }  // namespace circle_voronoi

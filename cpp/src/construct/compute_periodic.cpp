@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "circle_voronoi/periodic_diagram.h"
+#include "compute_circles.h"
 #include "guarded.h"
 #include "infinity.h"
 #include "integer.h"
@@ -297,7 +298,7 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
   const auto across = [&](double gap) { return gap < halo ? halo : gap + halo; };
   for (Vector reach = within(across(gaps.x), across(gaps.y));;) {
     PeriodicDiagram result = images.within(reach);
-    auto diagram = compute(result.diagram.circles, options);
+    auto diagram = computeCircles(result.diagram.circles, options);
     if (!diagram) return ofGivenCircle(diagram.error(), result);
     result.diagram = std::move(diagram).value();
     if (!result.diagram.certificate.certified()) {
@@ -327,7 +328,7 @@ Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const L
     own.progress = lettingThrough(options.progress);
     own.observer = lettingThrough(options.observer);
     if (circles.empty()) {
-      auto diagram = compute(circles, own);
+      auto diagram = computeCircles(circles, own);
       if (!diagram) return diagram.error();
       return PeriodicDiagram{std::move(diagram).value(), 0, torus.value().lattice, {}, {}};
     }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "circle_voronoi/compute.h"
+#include "circle_voronoi/options.h"
 #include "find_sites.h"
 #include "journal.h"
 #include "judge.h"

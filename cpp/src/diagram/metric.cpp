@@ -17,13 +17,13 @@ std::string_view metricName(Metric metric) {
   return "";
 }
 
-double distance(Metric metric, const Circle& circle, Point p) {
+double distance(Metric metric, const Circle& circle, Point p, bool weights) {
   const double toCenter = lengthOf({p.x - circle.x, p.y - circle.y});
   switch (metric) {
     case Metric::centers:
       return toCenter;
     case Metric::power:
-      return (toCenter - circle.r) * (toCenter + circle.r);
+      return weights ? toCenter * toCenter - circle.r : (toCenter - circle.r) * (toCenter + circle.r);
     case Metric::circles:
       break;
   }

@@ -52,7 +52,40 @@ Result<void> validatePart(std::span<const Circle> circles, bool weights, std::si
   return {};
 }
 
-Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights) {
+namespace {
+
+/// The largest weight of a power diagram.
+constexpr double kWeightLimit = kCoordinateLimit * kCoordinateLimit;
+
+/// Checks circles whose numbers r are the weights of a power diagram, and returns them normalized.
+Result<std::vector<Circle>> validateWithPowers(std::span<const Circle> circles) {
+  std::vector<Circle> points = pointsOf(circles);
+  if (const auto valid = validatePart(points, true, 0); !valid) return valid.error();
+  double largest = 0;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    const double weight = circles[i].r;
+    if (!(std::abs(weight) <= kWeightLimit)) {
+      return Error{std::isfinite(weight) ? ErrorCode::coordinateTooLarge : ErrorCode::nonFinite,
+                   static_cast<std::int64_t>(i),
+                   "Circle " + std::to_string(i) +
+                       (std::isfinite(weight) ? " has a weight beyond 6.3e57 (2^192)."
+                                              : " has a weight that is not a finite number.")};
+    }
+    largest = std::max({largest, largestNumber(points[i]), std::sqrt(std::abs(weight))});
+  }
+  if (auto error = tooSmallError(largest, "The circles")) return *std::move(error);
+  points = normalized(points);
+  // Multiples of the square of kCoordinateStep.
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    points[i].r = rounded(circles[i].r / kCoordinateStep) * kCoordinateStep + 0.0;
+  }
+  return points;
+}
+
+}  // namespace
+
+Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights, Metric metric) {
+  if (weights && metric == Metric::power) return validateWithPowers(circles);
   if (const auto valid = validatePart(circles, weights, 0); !valid) return valid.error();
   double largest = 0;
   for (const Circle& c : circles) largest = std::max(largest, largestNumber(c));

@@ -9,6 +9,7 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/metric.h"
 #include "rounded.h"
 
 namespace circle_voronoi {
@@ -33,11 +34,13 @@ inline Circle normalized(const Circle& given) {
   return {c.x + 0.0, c.y + 0.0, c.r + 0.0};
 }
 
-/// Checks the circles. Returns them normalized.
+/// Checks the circles. Returns them normalized. The weights of a power diagram are areas: they may be as large as the
+/// square of a coordinate, and are rounded to multiples of 2^-192.
 /// Errors: nonFinite, negativeRadius unless radii are weights (Options::weights), coordinateTooLarge,
 /// coordinateTooSmall, tooManyCircles, badArithmetic. Exported because the readers and writers, a library of their own,
 /// call it.
-CIRCLE_VORONOI_API Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights = false);
+CIRCLE_VORONOI_API Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights = false,
+                                                        Metric metric = Metric::circles);
 
 /// Checks a part of the circles of an input, which may all be small. Errors number the circles from `first`.
 CIRCLE_VORONOI_API Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first);

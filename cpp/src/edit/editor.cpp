@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "build_state.h"
+#include "certify_circles.h"
 #include "change_record.h"
-#include "circle_voronoi/certify.h"
 #include "guarded.h"
 #include "snapshot.h"
 #include "sort_unique.h"
@@ -468,7 +468,7 @@ Result<Certificate> DiagramEditor::certificate() const {
   return guarded([&]() -> Result<Certificate> {
     const auto diagram = snapshotOf(editor_->state());
     if (!diagram) return diagram.error();
-    return certify(diagram.value());
+    return certifyCircles(diagram.value());
   });
 }
 

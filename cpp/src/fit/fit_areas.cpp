@@ -15,11 +15,11 @@
 #include "cell_measure.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
-#include "circle_voronoi/compute.h"
 #include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/metric.h"
+#include "compute_circles.h"
 #include "guarded.h"
 #include "named_option.h"
 #include "number_text.h"
@@ -583,7 +583,7 @@ class Fitter {
       found.diagram = *std::move(changed);
       return found;
     }
-    Result<Diagram> diagram = compute(circles);
+    Result<Diagram> diagram = computeCircles(circles);
     if (!diagram) return diagram.error();
     found.diagram = std::move(diagram).value();
     return found;
@@ -731,7 +731,7 @@ Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> 
         const Point place = placeOf({circles[i].x, circles[i].y}, moved.by);
         circles[i] = {place.x, place.y, state.weights[i]};
       }
-      Result<Diagram> diagram = compute(circles);
+      Result<Diagram> diagram = computeCircles(circles);
       if (!diagram) return diagram.error();
       state.found.diagram = std::move(diagram).value();
     }

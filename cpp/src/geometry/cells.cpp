@@ -12,12 +12,18 @@ namespace {
 
 const Circle& circleAt(const Diagram& diagram, CircleIndex i) { return diagram.circles[static_cast<std::size_t>(i)]; }
 
+/// Returns the radius of a circle, or the root of the weight that it has in a power diagram, with the weight's sign.
+double radiusOf(const Diagram& diagram, const Circle& c) {
+  const bool isRoot = diagram.metric == Metric::power && diagram.weights;
+  return isRoot ? std::copysign(std::sqrt(std::abs(c.r)), c.r) : c.r;
+}
+
 /// Returns a bound on the rounding error of distanceDifference: a part of the distance between the two centers minus
 /// the difference of the radii.
 double roundingOfDifference(const Diagram& diagram, CircleIndex circle, CircleIndex other) {
   const Circle& c = circleAt(diagram, circle);
   const Circle& d = circleAt(diagram, other);
-  return 0x1p-49 * (lengthOf(between(d, c)) + std::abs(d.r - c.r));
+  return 0x1p-49 * (lengthOf(between(d, c)) + std::abs(radiusOf(diagram, d) - radiusOf(diagram, c)));
 }
 
 }  // namespace
@@ -29,7 +35,7 @@ std::vector<CircleIndex> neighbors(const Diagram& diagram, CircleIndex circle) {
 }
 
 double distanceFrom(const Diagram& diagram, CircleIndex circle, Point p) {
-  return distance(diagram.metric, circleAt(diagram, circle), p);
+  return distance(diagram.metric, circleAt(diagram, circle), p, diagram.weights);
 }
 
 // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d)).
@@ -39,15 +45,16 @@ double distanceDifference(const Diagram& diagram, CircleIndex circle, CircleInde
   const Vector fromCircle = {p.x - c.x, p.y - c.y};
   const Vector fromOther = {p.x - d.x, p.y - d.y};
   const double difference = diagram.metric == Metric::centers ? 0 : d.r - c.r;
-  double size = lengthOf(fromCircle) + lengthOf(fromOther);
-  if (diagram.metric == Metric::power) size += c.r + d.r;
+  const bool isPower = diagram.metric == Metric::power;
+  const double radii = isPower ? std::abs(radiusOf(diagram, c)) + std::abs(radiusOf(diagram, d)) : 0;
+  const double size = lengthOf(fromCircle) + lengthOf(fromOther) + radii;
   if (size == 0) return -difference;
   const Vector sum = {fromCircle.x + fromOther.x, fromCircle.y + fromOther.y};
   // The point may lie anywhere.
   const double unit = unitFor(std::max(largestOf(sum), size));
   const double product = dot(between(d, c), measuredIn(unit, sum));
-  if (diagram.metric != Metric::power) return product / (size / unit) - difference;
-  return (product - difference * ((c.r + d.r) / unit)) / (size / unit);
+  if (!isPower) return product / (size / unit) - difference;
+  return (product - difference * ((diagram.weights ? 1 : radii) / unit)) / (size / unit);
 }
 
 bool contains(const Diagram& diagram, CircleIndex circle, Point p) {

@@ -58,7 +58,7 @@ void setParameters(EdgeCurve& curve, bool hasStart, bool hasEnd) {
 
 }  // namespace
 
-Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
+Bisector bisector(const Circle& left, const Circle& right, Metric metric, bool weights) {
   const bool isCurved = metric == Metric::circles;
   const double difference = isCurved ? left.r - right.r : 0;
   const bool originIsLeft = difference <= 0;
@@ -82,7 +82,7 @@ Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
   result.apex = (isNearlyInside ? std::max(square, 0.0) / (d + size) : d - size) / 2;
   if (metric == Metric::power) {
     // Below 2^290: the radii are below 2^97, and the centers 2^-96 apart.
-    result.apex += (left.r - right.r) * ((left.r + right.r) / (2 * d));
+    result.apex += (left.r - right.r) * ((weights ? 1 : left.r + right.r) / (2 * d));
   }
   return result;
 }
@@ -122,8 +122,8 @@ EdgeCurve curveBetween(const Diagram& diagram, const Edge& edge) {
   const auto& [left, right, start, end] = edge;
   const auto& circles = diagram.circles;
   EdgeCurve curve;
-  curve.bisector =
-      bisector(circles[static_cast<std::size_t>(left)], circles[static_cast<std::size_t>(right)], diagram.metric);
+  curve.bisector = bisector(circles[static_cast<std::size_t>(left)], circles[static_cast<std::size_t>(right)],
+                            diagram.metric, diagram.weights);
   const auto vertexAt = [&](VertexIndex v) {
     const Vertex& vertex = diagram.vertices[static_cast<std::size_t>(v)];
     return Point{vertex.x, vertex.y};

@@ -28,7 +28,8 @@ class Finder::Walker {
   std::vector<std::uint32_t> inOrderOfBuckets(std::span<const Point> points) const;
 
  private:
-  CircleIndex nearerNeighbor(CircleIndex circle, Point p) const;
+  CircleIndex nearerNeighbor(CircleIndex circle, CircleIndex of, Point p) const;
+  CircleIndex across(CircleIndex circle, Point p) const;
   /// The sides of a cell, in order around a point of the cell from which all of it is seen.
   struct Sides {
     Point middle;
@@ -101,19 +102,29 @@ CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
   CircleIndex circle = starts_.near(p, 0, [](CircleIndex) { return true; });
   if (circle == kNone) return kNone;
   if (hint != kNone && diagram_.hasCell(hint) && distanceDifference(diagram_, hint, circle, p) > 0) circle = hint;
-  // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
-  // that was marked at step 1, 2, 4, 8 and so on.
+  // Each step comes nearer, so the walk ends. But rounding may lead around a loop, which then meets the circle marked at
+  // step 4, 8, 16 and so on.
   CircleIndex marked = circle;
   std::size_t step = 0;
-  for (std::size_t markAt = 1;; ++step) {
-    const CircleIndex next = nearerNeighbor(circle, p);
+  for (std::size_t markAt = 4;; ++step) {
+    const CircleIndex next = nearerNeighbor(circle, circle, p);
     if (next == kNone || next == marked) return circle;
     circle = next;
-    if (step == markAt) {
-      marked = circle;
-      markAt *= 2;
-    }
+    if (step != markAt) continue;
+    circle = marked = across(circle, p);
+    markAt *= 2;
   }
+}
+
+/// Returns the circle, or a nearer one across a neighbor with many sides: a shortcut on a walk around that neighbor.
+CircleIndex Finder::Walker::across(CircleIndex circle, Point p) const {
+  if (!manySides(circle).sides.empty()) return circle;
+  for (const SideIndex side : diagram_.sides(circle)) {
+    const CircleIndex neighbor = diagram_.neighborOf(side);
+    if (manySides(neighbor).sides.empty()) continue;
+    if (const CircleIndex next = nearerNeighbor(circle, neighbor, p); next != kNone) return next;
+  }
+  return circle;
 }
 
 /// Returns the indices of points, grouped by bucket, so that a walk finds its circles in the cache.
@@ -132,8 +143,8 @@ std::vector<std::uint32_t> Finder::Walker::inOrderOfBuckets(std::span<const Poin
   return order;
 }
 
-/// A neighbor nearer to p than the circle itself, or kNone.
-CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
+/// Returns a neighbor of a circle, `of`, that is nearer to p than `circle`, or kNone.
+CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, CircleIndex of, Point p) const {
   double most = 0;
   CircleIndex nearest;
   const auto ask = [&](SideIndex side) {
@@ -144,10 +155,10 @@ CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
       nearest = neighbor;
     }
   };
-  const Sides many = manySides(circle);
+  const Sides many = manySides(of);
   const auto sides = many.sides;
   if (sides.empty()) {
-    std::ranges::for_each(diagram_.sides(circle), ask);
+    std::ranges::for_each(diagram_.sides(of), ask);
     return nearest;
   }
   const Vector toPoint = {p.x - many.middle.x, p.y - many.middle.y};

@@ -8,10 +8,8 @@
 
 namespace circle_voronoi {
 
-/// Returns a bound on how far a vertex may be off. The vertices of power diagrams are right to 21 bits
-/// of the distances from and between their circles (radicalCenter), other vertices to kVertexRounding.
+/// Returns a bound on how far a vertex may be off.
 inline double vertexError(const Diagram& diagram, VertexIndex vertex) {
-  constexpr double kPowerVertexRounding = 0x1p-18;
   constexpr double kRoundingOfCoordinates = 0x1p-48;
   const Vertex& v = diagram.vertices[static_cast<std::size_t>(vertex)];
   double size = 0;
@@ -19,8 +17,7 @@ inline double vertexError(const Diagram& diagram, VertexIndex vertex) {
     const Circle& c = diagram.circles[static_cast<std::size_t>(i)];
     size += std::abs(v.x - c.x) + std::abs(v.y - c.y);
   }
-  const double rounding = diagram.metric == Metric::power ? kPowerVertexRounding : kVertexRounding;
-  return rounding * size + kRoundingOfCoordinates * (std::abs(v.x) + std::abs(v.y));
+  return kVertexRounding * size + kRoundingOfCoordinates * (std::abs(v.x) + std::abs(v.y));
 }
 
 }  // namespace circle_voronoi

@@ -9,6 +9,9 @@
 
 namespace circle_voronoi {
 
+/// The order in which a line from left to right meets points; one of the same x from below.
+inline bool isBefore(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
 inline double cross(Vector u, Vector v) { return u.x * v.y - u.y * v.x; }
 inline double dot(Vector u, Vector v) { return u.x * v.x + u.y * v.y; }
 

@@ -413,8 +413,8 @@ class Walk {
     const bool isInOrder = isOrdered(diagram_, edge);
     const CircleIndex left = isInOrder ? ends.left : ends.right;
     const CircleIndex right = isInOrder ? ends.right : ends.left;
-    const Bisector bisector =
-        circle_voronoi::bisector(diagram_.circles[at(left)], diagram_.circles[at(right)], diagram_.metric);
+    const Bisector bisector = circle_voronoi::bisector(diagram_.circles[at(left)], diagram_.circles[at(right)],
+                                                       diagram_.metric, diagram_.weights);
     const bool isAlong = left == diagram_.circleOf(side);
     const BranchCrossing found(bisector, line, isAlong != line.isForward);
     double parameter = found.parameter;

@@ -9,11 +9,9 @@
 
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/point.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
-
-/// The order in which a line from left to right meets points; one of the same x from below.
-inline bool isBefore(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 /// Returns whether the segment from a to b is below that from c to d where a line from left to right crosses both. They
 /// do not cross, and a is before b and c before d.

@@ -12,6 +12,7 @@
 #include "sign_at_crossing.h"
 #include "vectors.h"
 #include "vertex_error.h"
+#include "weighted_numbers.h"
 
 namespace circle_voronoi {
 namespace {
@@ -66,48 +67,6 @@ int exactLead(const Circle& own, const Circle& other, Point corner) {
   });
 }
 
-/// The numbers of a diagram of straight edges, in which a circle counts with a weight: a squared radius, rounded, so a
-/// multiple of 2^-192 (limits.h).
-class Weighted {
- public:
-  Weighted(std::initializer_list<Point> points, std::initializer_list<double> weights) {
-    for (const Point p : points) {
-      unit_.include(p.x);
-      unit_.include(p.y);
-    }
-    for (const double weight : weights) squareUnit_.include(weight);
-    exponent_ = unit_.exponent();
-    // Weights are areas, so their exponents are halved.
-    if (squareUnit_.bits() > 0) {
-      const int half = squareUnit_.exponent() >= 0 ? squareUnit_.exponent() / 2 : (squareUnit_.exponent() - 1) / 2;
-      exponent_ = unit_.bits() > 0 ? std::min(exponent_, half) : half;
-    }
-  }
-
-  struct Difference {
-    FixedInteger<4> x, y;
-  };
-  Difference between(Point from, Point to) const { return {in(to.x) - in(from.x), in(to.y) - in(from.y)}; }
-  FixedInteger<8> square(double weight) const {
-    const OddPart part(weight);
-    return FixedInteger<8>(part.odd, part.odd == 0 ? 0 : part.exponent - 2 * exponent_);
-  }
-
- private:
-  FixedInteger<4> in(double value) const {
-    const OddPart part(value);
-    return FixedInteger<4>(part.odd, part.odd == 0 ? 0 : part.exponent - exponent_);
-  }
-
-  CommonUnit unit_;
-  CommonUnit squareUnit_;
-  int exponent_ = 0;
-};
-
-using Difference2 = Weighted::Difference;
-FixedInteger<8> dotOf(const Difference2& u, const Difference2& v) { return u.x * v.x + u.y * v.y; }
-FixedInteger<8> crossOf(const Difference2& u, const Difference2& v) { return u.x * v.y - u.y * v.x; }
-
 Point centerPointOf(const Circle& c) { return {c.x, c.y}; }
 
 /// Returns 1 if a line turns to the left of another one, -1 if it turns to the right, 0 if they are parallel.
@@ -159,14 +118,17 @@ ShiftedSigns::Comparison ShiftedSigns::compareStraight(const Circle& c, const Ci
   const Vector p = vectorFrom(c, corner);
   const Vector across = between(c, d);
   const double square = dot(across, across);
-  const double value = square - 2 * dot(p, across) + (weight(c) - weight(d));
-  const double error = kSignRounding * (square + 2 * sizeOf(p) * sizeOf(across) + weight(c) + weight(d));
+  const TwoPart own = weight(c);
+  const TwoPart its = weight(d);
+  const double value = square - 2 * dot(p, across) + ((own.value - its.value) + (own.rest - its.rest));
+  const double error =
+      kSignRounding * (square + 2 * sizeOf(p) * sizeOf(across) + std::abs(own.value) + std::abs(its.value));
   if (value > error) return {1, (value - error) / (2 * std::sqrt(square)) * (1 - kSignRounding)};
   if (value < -error) return {-1, -1};
-  const Weighted numbers({corner, centerPointOf(c), centerPointOf(d)}, {weight(c), weight(d)});
+  const WeightedNumbers numbers({corner, centerPointOf(c), centerPointOf(d)}, {weight(c), weight(d)});
   const auto u = numbers.between(centerPointOf(c), corner);
   const auto v = numbers.between(centerPointOf(c), centerPointOf(d));
-  const auto weights = numbers.square(weight(c)) - numbers.square(weight(d));
+  const auto weights = numbers.weight(weight(c)) - numbers.weight(weight(d));
   const auto twice = dotOf(u, v) + dotOf(u, v);
   if (const int sign = (dotOf(v, v) - twice + weights).sign(); sign != 0) return {sign, -1};
   // The derivatives of the value along x and along y.
@@ -186,7 +148,7 @@ int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) con
   if (vertex == kNone) {
     if (!isCurved_) {
       // The bisector goes at right angles to the line of centers; a parallel to it lies on the neighbor's side.
-      const Weighted numbers({line.from, line.to, centerPointOf(own), centerPointOf(other)}, {});
+      const WeightedNumbers numbers({line.from, line.to, centerPointOf(own), centerPointOf(other)}, {});
       const auto direction = numbers.between(line.from, line.to);
       const auto across = numbers.between(centerPointOf(own), centerPointOf(other));
       if (const int sign = dotOf(direction, across).sign(); sign != 0) return isTarget ? sign : -sign;
@@ -206,14 +168,14 @@ int ShiftedSigns::sideOfEnd(SideIndex side, bool isTarget, const Line& line) con
   const exact::Face face = faceOf(side, isTarget);
   if (!isCurved_) {
     const auto& [o, a, b] = face;
-    const Weighted numbers({line.from, line.to, centerPointOf(*o), centerPointOf(*a), centerPointOf(*b)},
-                           {weight(*o), weight(*a), weight(*b)});
+    const WeightedNumbers numbers({line.from, line.to, centerPointOf(*o), centerPointOf(*a), centerPointOf(*b)},
+                                  {weight(*o), weight(*a), weight(*b)});
     const auto u = numbers.between(centerPointOf(*o), centerPointOf(*a));
     const auto w = numbers.between(centerPointOf(*o), centerPointOf(*b));
     const auto from = numbers.between(centerPointOf(*o), line.from);
     const auto direction = numbers.between(line.from, line.to);
-    const auto ku = dotOf(u, u) + numbers.square(weight(*o)) - numbers.square(weight(*a));
-    const auto kw = dotOf(w, w) + numbers.square(weight(*o)) - numbers.square(weight(*b));
+    const auto ku = dotOf(u, u) + numbers.weight(weight(*o)) - numbers.weight(weight(*a));
+    const auto kw = dotOf(w, w) + numbers.weight(weight(*o)) - numbers.weight(weight(*b));
     const auto determinant = crossOf(u, w);
     const auto twice = determinant + determinant;
     // Twice the vertex times the determinant, less twice the start of the line times the determinant.
@@ -404,13 +366,13 @@ double ShiftedSigns::shareOfCrossing(CircleIndex from, CircleIndex to, const Lin
   const Circle& c = circle(from);
   const Circle& d = circle(to);
   if (!isCurved_ || c.r == d.r) {
-    const Weighted numbers({line.from, line.to, centerPointOf(c), centerPointOf(d)}, {weight(c), weight(d)});
+    const WeightedNumbers numbers({line.from, line.to, centerPointOf(c), centerPointOf(d)}, {weight(c), weight(d)});
     const auto across = numbers.between(centerPointOf(c), centerPointOf(d));
     const auto start = numbers.between(centerPointOf(c), line.from);
     const auto direction = numbers.between(line.from, line.to);
     const auto half = dotOf(start, across);
     const auto way = dotOf(direction, across);
-    const auto weights = isCurved_ ? FixedInteger<8>() : numbers.square(weight(c)) - numbers.square(weight(d));
+    const auto weights = isCurved_ ? FixedInteger<8>() : numbers.weight(weight(c)) - numbers.weight(weight(d));
     return (exact::floating(dotOf(across, across) + weights - half - half) / exact::floating(way + way)).times(0);
   }
   const bool isToInner = d.r < c.r;
@@ -504,15 +466,15 @@ int ShiftedSigns::sideOfCrossing(CircleIndex left, CircleIndex right, const Line
                             planeCross(direction, seen[2].v - seen[1].v));
     });
   } else {
-    const Weighted numbers({line.from, line.to, other.from, other.to, centerPointOf(c), centerPointOf(d)},
-                           {weight(c), weight(d)});
+    const WeightedNumbers numbers({line.from, line.to, other.from, other.to, centerPointOf(c), centerPointOf(d)},
+                                  {weight(c), weight(d)});
     const auto across = numbers.between(centerPointOf(c), centerPointOf(d));
     const auto start = numbers.between(centerPointOf(c), line.from);
     const auto direction = numbers.between(other.from, other.to);
     const auto along = numbers.between(line.from, line.to);
     const auto half = dotOf(start, across);
     const auto way = dotOf(along, across);
-    const auto height = dotOf(across, across) + numbers.square(weight(c)) - numbers.square(weight(d)) - half - half;
+    const auto height = dotOf(across, across) + numbers.weight(weight(c)) - numbers.weight(weight(d)) - half - half;
     sign =
         (crossOf(direction, numbers.between(other.from, line.from)) * (way + way) + crossOf(direction, along) * height)
             .sign() *

@@ -8,6 +8,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 #include "exact.h"
+#include "weighted_point.h"
 
 namespace circle_voronoi {
 
@@ -105,7 +106,9 @@ class ShiftedSigns {
  private:
   const Circle& circle(CircleIndex i) const { return diagram_.circles[static_cast<std::size_t>(i)]; }
   /// The weight of a circle in a diagram of straight edges.
-  double weight(const Circle& c) const { return diagram_.metric == Metric::power ? c.r * c.r : 0; }
+  TwoPart weight(const Circle& c) const {
+    return diagram_.metric == Metric::power ? powerWeight(c, diagram_.weights) : TwoPart{};
+  }
   exact::Face faceOf(SideIndex side, bool isTarget) const;
   Comparison compareStraight(const Circle& own, const Circle& other, Point corner) const;
   /// Returns a circle without its radius if edges are straight.

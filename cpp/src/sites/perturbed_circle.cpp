@@ -2,13 +2,9 @@
 #include "perturbed_circle.h"
 
 #include "in_circle.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
-namespace {
-
-bool isBefore(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
-}  // namespace
 
 bool isInPerturbedCircle(Point a, Point b, Point c, Point d) {
   if (const int side = inCircle(a, b, c, d); side != 0) return side > 0;

@@ -10,9 +10,9 @@
 
 #include "arithmetic.h"
 #include "at.h"
-#include "circle_voronoi/compute.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/sphere.h"
+#include "compute_circles.h"
 #include "guarded.h"
 #include "infinity.h"
 #include "number_text.h"
@@ -248,7 +248,7 @@ Result<SphereDiagram> computeValid(std::span<const Cap> caps, const SphereOption
   Options planar;
   planar.weights = true;
   planar.threads = options.threads;
-  const auto plane = compute(projection.circles, planar);
+  const auto plane = computeCircles(projection.circles, planar);
   if (!plane) {
     Error error = plane.error();
     if (error.circle != kNone) error.circle = indices[at(projection.rest[static_cast<std::size_t>(error.circle)])];

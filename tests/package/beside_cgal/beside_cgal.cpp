@@ -3,7 +3,6 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
-#include <circle_voronoi/comparison.h>
 #include <circle_voronoi/compute.h>
 
 #include <algorithm>
@@ -89,7 +88,7 @@ int main() {
   const std::vector<Circle> circles = scatteredCircles(2000, 3e5);
   CGAL::Regular_triangulation_2<Kernel> regular;
   for (const Circle& c : circles) regular.insert({Kernel::Point_2(c.x, c.y), c.r * c.r});
-  const auto power = circle_voronoi::computeComparison(circles, circle_voronoi::Metric::power);
+  const auto power = circle_voronoi::compute(circles, {.metric = circle_voronoi::Metric::power});
   expect(regular.is_valid() && power.ok() && power.value().hidden.size() == regular.number_of_hidden_vertices() &&
              regular.number_of_hidden_vertices() > 0 && triplesOf(regular) == triplesOf(circles, power.value()),
          "the power diagram is the dual of CGAL's regular triangulation");

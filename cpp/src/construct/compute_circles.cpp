@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "circle_voronoi/compute.h"
+#include "compute_circles.h"
 
 #include <algorithm>
 #include <optional>
@@ -17,6 +17,10 @@ namespace {
 
 /// An error if an option is out of its range for this many circles.
 std::optional<Error> checkOptions(const Options& options, std::size_t circleCount) {
+  if (options.metric != Metric::circles) {
+    return Error{ErrorCode::badOption, kNone,
+                 "The metric " + std::string(metricName(options.metric)) + " is not known here."};
+  }
   if (auto error = Threads::refusalOf(options.threads)) return error;
   if (options.method != Method::touchingDisc) return std::nullopt;
   if (options.candidates == Candidates::allPairs) {
@@ -61,7 +65,7 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
 
 }  // namespace
 
-Result<Diagram> compute(std::span<const Circle> circles, const Options& options) {
+Result<Diagram> computeCircles(std::span<const Circle> circles, const Options& options) {
   return guarded([&]() -> Result<Diagram> {
     if (auto error = checkOptions(options, circles.size())) return *std::move(error);
     Options own = options;

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regular_triangulation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include "in_circle.h"
+#include "judge_power.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+bool isFinite(int corner) { return corner != kPointAtInfinity; }
+
+/// Sites on a line, in the order of their places: those on the lower hull of the lifted ones, by a stack (A. M. Andrew,
+/// 1979).
+RegularTriangulation ofLine(std::span<const WeightedPoint> sites) {
+  std::vector<int> order(sites.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return isBefore(sites[i].p, sites[j].p); });
+  RegularTriangulation result;
+  std::vector<int> chain;
+  for (const int site : order) {
+    while (chain.size() > 1 && powerTest(sites[chain[chain.size() - 2]], sites[site], sites[chain.back()]) <= 0) {
+      result.hidden.push_back(chain.back());
+      chain.pop_back();
+    }
+    chain.push_back(site);
+  }
+  std::sort(result.hidden.begin(), result.hidden.end());
+  // For each two neighbors a face on either side of their edge, with infinity as the third corner.
+  Dual& dual = result.dual;
+  const auto edgeCount = static_cast<int>(chain.size()) - 1;
+  for (int k = 0; k < edgeCount; ++k) {
+    dual.origin.insert(dual.origin.end(),
+                       {chain[k], chain[k + 1], kPointAtInfinity, chain[k + 1], chain[k], kPointAtInfinity});
+  }
+  dual.twin.resize(dual.origin.size());
+  for (int k = 0; k < edgeCount; ++k) {
+    const int forth = 6 * k;
+    const int back = forth + 3;
+    dual.link(forth, back);
+    if (k + 1 < edgeCount) {
+      dual.link(forth + 1, forth + 8);
+      dual.link(back + 2, back + 7);
+    }
+  }
+  if (edgeCount > 0) {
+    dual.link(4, 2);
+    dual.link(6 * edgeCount - 5, 6 * edgeCount - 1);
+  }
+  return result;
+}
+
+class Triangulator {
+ public:
+  /// Begins with three sites, counter-clockwise.
+  Triangulator(std::span<const WeightedPoint> sites, const std::array<int, 3>& first)
+      : sites_(sites), faceAt_(sites.size() + 1, kNone), isHidden_(sites.size(), false) {
+    const auto [a, b, c] = first;
+    dual_.origin = {a, b, c, b, a, kPointAtInfinity, c, b, kPointAtInfinity, a, c, kPointAtInfinity};
+    dual_.twin.resize(dual_.origin.size());
+    for (int k = 0; k < 3; ++k) {
+      dual_.link(k, 3 * k + 3);
+      dual_.link(3 * k + 4, 3 * ((k + 2) % 3) + 5);
+    }
+    mark_.resize(4, kNone);
+  }
+
+  void insert(int site) {
+    int face = faceAround(sites_, dual_, sites_[site].p, hint_);
+    if (!isTakenBy(site, face)) {
+      isHidden_[site] = true;
+      return;
+    }
+    collect(site, face);
+    close(site);
+  }
+
+  RegularTriangulation result() && {
+    removeFreeFaces();
+    RegularTriangulation result = {std::move(dual_), {}};
+    for (std::size_t i = 0; i < isHidden_.size(); ++i) {
+      if (isHidden_[i]) result.hidden.push_back(static_cast<int>(i));
+    }
+    return result;
+  }
+
+ private:
+  /// Whether a site is lifted below the plane of a face. That of a face at infinity is vertical; a site in this plane
+  /// counts as in the line of its edge.
+  bool isTakenBy(int site, int face) const {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      if (isFinite(dual_.origin[h])) continue;
+      const WeightedPoint& from = sites_[dual_.target(h)];
+      const WeightedPoint& to = sites_[dual_.origin[Dual::previous(h)]];
+      const int side = orientation(from.p, to.p, sites_[site].p);
+      return side > 0 || (side == 0 && powerTest(from, to, sites_[site]) > 0);
+    }
+    const auto [a, b, c] = cornersOf(dual_, 3 * face);
+    return powerTest(sites_[a], sites_[b], sites_[c], sites_[site]) > 0;
+  }
+
+  /// Finds the faces that a site takes, which are connected, and the half-edges around them.
+  void collect(int site, int face) {
+    taken_ = {face};
+    around_.clear();
+    mark_[face] = site;
+    for (std::size_t k = 0; k < taken_.size(); ++k) {
+      for (int h = 3 * taken_[k]; h < 3 * taken_[k] + 3; ++h) {
+        const int beyond = dual_.twin[h] / 3;
+        if (mark_[beyond] == site) continue;
+        if (isTakenBy(site, beyond)) {
+          mark_[beyond] = site;
+          taken_.push_back(beyond);
+        } else {
+          around_.push_back(h);
+        }
+      }
+    }
+  }
+
+  /// Replaces the taken faces by those between the half-edges around them and the site. Corners that are left inside
+  /// are hidden.
+  void close(int site) {
+    rim_.clear();
+    for (const int h : around_) rim_.push_back({dual_.origin[h], dual_.target(h), dual_.twin[h]});
+    inside_.clear();
+    for (const int face : taken_) {
+      for (const int corner : cornersOf(dual_, 3 * face)) inside_.push_back(corner);
+    }
+    while (taken_.size() < rim_.size()) taken_.push_back(newFace());
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      const auto& [from, to, beyond] = rim_[k];
+      const int h = 3 * taken_[k];
+      dual_.origin[h] = from;
+      dual_.origin[h + 1] = to;
+      dual_.origin[h + 2] = site;
+      dual_.link(h, beyond);
+      faceAt_[placeOf(from)] = taken_[k];
+      if (isFinite(from) && isFinite(to)) hint_ = taken_[k];
+    }
+    for (std::size_t k = 0; k < rim_.size(); ++k) dual_.link(3 * taken_[k] + 1, 3 * faceAt_[placeOf(rim_[k].to)] + 2);
+    for (const int corner : inside_) {
+      if (isFinite(corner) && faceAt_[placeOf(corner)] == kNone) isHidden_[corner] = true;
+    }
+    for (const Rim& rim : rim_) faceAt_[placeOf(rim.from)] = kNone;
+    for (std::size_t k = rim_.size(); k < taken_.size(); ++k) {
+      mark_[taken_[k]] = kFree;
+      free_.push_back(taken_[k]);
+    }
+  }
+
+  int newFace() {
+    if (!free_.empty()) {
+      const int face = free_.back();
+      free_.pop_back();
+      mark_[face] = kNone;
+      return face;
+    }
+    const int face = dual_.faceCount();
+    dual_.origin.resize(dual_.origin.size() + 3);
+    dual_.twin.resize(dual_.origin.size());
+    mark_.push_back(kNone);
+    return face;
+  }
+
+  /// Moves the last faces into the places of free ones.
+  void removeFreeFaces() {
+    std::sort(free_.begin(), free_.end(), std::greater<>());
+    for (const int face : free_) {
+      const int last = dual_.faceCount() - 1;
+      for (int k = 0; k < 3 && face != last; ++k) {
+        dual_.origin[3 * face + k] = dual_.origin[3 * last + k];
+        dual_.link(3 * face + k, dual_.twin[3 * last + k]);
+      }
+      dual_.origin.resize(dual_.origin.size() - 3);
+      dual_.twin.resize(dual_.origin.size());
+    }
+    free_.clear();
+  }
+
+  static std::size_t placeOf(int corner) { return static_cast<std::size_t>(corner + 1); }
+
+  static constexpr int kFree = -2;
+
+  /// A half-edge around the taken faces, and its twin.
+  struct Rim {
+    int from, to, beyond;
+  };
+
+  std::span<const WeightedPoint> sites_;
+  Dual dual_;
+  std::vector<int> mark_;    ///< for each face the last site that took it
+  std::vector<int> faceAt_;  ///< while faces are replaced: the new face whose rim begins at a corner
+  std::vector<bool> isHidden_;
+  std::vector<int> free_;
+  std::vector<int> taken_;
+  std::vector<int> around_;
+  std::vector<Rim> rim_;
+  std::vector<int> inside_;
+  int hint_ = 0;
+};
+
+}  // namespace
+
+RegularTriangulation regularTriangulation(std::span<const WeightedPoint> sites) {
+  std::size_t third = 2;
+  int turn = 0;
+  for (; third < sites.size(); ++third) {
+    turn = orientation(sites[0].p, sites[1].p, sites[third].p);
+    if (turn != 0) break;
+  }
+  if (turn == 0) return ofLine(sites);
+  const auto corner = static_cast<int>(third);
+  Triangulator triangulator(sites, turn > 0 ? std::array{0, 1, corner} : std::array{1, 0, corner});
+  for (std::size_t i = 2; i < sites.size(); ++i) {
+    if (i != third) triangulator.insert(static_cast<int>(i));
+  }
+  return std::move(triangulator).result();
+}
+
+}  // namespace circle_voronoi
