@@ -25,6 +25,7 @@
 namespace circle_voronoi::cli {
 namespace {
 
+const auto kMetricChoices = choices<Metric>();
 const auto kMethodChoices = choices<Method>();
 const auto kCandidatesChoices = choices<Candidates>();
 
@@ -34,6 +35,7 @@ struct ComputeArguments {
   CirclesInput input;
   std::string projection;
   Output output;
+  std::string metric{nameOf(Options{}.metric)};
   std::string method{nameOf(Options{}.method)};
   std::string candidates{nameOf(Options{}.candidates)};
   std::optional<int> samples = Options{}.samples;
@@ -63,6 +65,12 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
          needed(&Options::candidates, Candidates::dynamic) + " or " + std::string(nameOf(Candidates::uniform)));
   refuse(resample, candidates == Candidates::dynamic, needed(&Options::candidates, Candidates::dynamic));
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
+  const Metric metric = kMetricChoices.at(arguments.metric);
+  const std::string circles = "--metric " + std::string(nameOf(Metric::circles));
+  for (const std::string& option : {flagOf(&Options::method), std::string("--lattice"), std::string("--trace"),
+                                    std::string("--known"), std::string("--sphere")}) {
+    refuse(option, metric == Metric::circles, circles);
+  }
   if (!arguments.lattice.empty()) {
     refuse("--lattice", method == Method::automatic, needed(&Options::method, Method::automatic));
     if (arguments.tile.isAsked()) throw CommandError{kBadInput, "--lattice takes no --known."};
@@ -103,6 +111,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
 
   Options options;
   options.weights = arguments.input.weights();
+  options.metric = kMetricChoices.at(arguments.metric);
   options.method = kMethodChoices.at(arguments.method);
   options.candidates = kCandidatesChoices.at(arguments.candidates);
   options.samples = arguments.samples;
@@ -148,6 +157,12 @@ void addComputeCommand(CLI::App& program) {
   addProjectOption(*command, arguments->projection);
   addSphereOptions(*command, arguments->sphere);
   addOutputOptions(*command, arguments->output);
+  command
+      ->add_option("--metric", arguments->metric,
+                   "The distance from a circle: circles |p - c| - r, centers |p - c|, or power |p - c|^2 - r^2")
+      ->type_name("METRIC")
+      ->check(CLI::IsMember(&kMetricChoices))
+      ->capture_default_str();
   command->add_option(flagOf(&Options::method), arguments->method, "How to build the diagram")
       ->type_name("METHOD")
       ->check(CLI::IsMember(&kMethodChoices))

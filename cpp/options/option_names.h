@@ -21,6 +21,7 @@ struct Named {
 
 inline std::string_view nameOf(Method method) { return methodName(method); }
 inline std::string_view nameOf(Candidates candidates) { return candidatesName(candidates); }
+inline std::string_view nameOf(Metric metric) { return metricName(metric); }
 
 /// Returns all values of an enumeration.
 template <class Value>

@@ -30,9 +30,10 @@ namespace {
 
 using SharedDiagram = std::shared_ptr<Diagram>;
 
-SharedDiagram computed(const Doubles& circles, bool weights, const std::string& method, const std::string& candidates,
-                       std::optional<int> samples, bool resample, int threads) {
+SharedDiagram computed(const Doubles& circles, const std::string& metric, bool weights, const std::string& method,
+                       const std::string& candidates, std::optional<int> samples, bool resample, int threads) {
   Options options;
+  options.metric = *metricFromName(metric);
   options.weights = weights;
   options.samples = samples;
   options.resample = resample;
@@ -100,6 +101,7 @@ void addDiagram(py::module_& module) {
                              [](const SharedDiagram& d) { return view<std::int32_t>(d, d->links.nextSide); })
       .def_property_readonly("first_side",
                              [](const SharedDiagram& d) { return view<std::int32_t>(d, d->links.firstSide); })
+      .def_property_readonly("metric", [](const Diagram& d) { return std::string(metricName(d.metric)); })
       .def_property_readonly("weights", [](const Diagram& d) { return d.weights; })
       .def_property_readonly("certificate", [](const Diagram& d) { return certificateOf(d.certificate); })
       .def_property_readonly("stats", [](const Diagram& d) { return statsOf(d.stats); })

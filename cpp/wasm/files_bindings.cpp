@@ -76,13 +76,6 @@ Stats statsFrom(const val& value) {
   return stats;
 }
 
-Metric metricFrom(const std::string& name) {
-  for (const Metric metric : {Metric::centers, Metric::power}) {
-    if (name == metricName(metric)) return metric;
-  }
-  return Metric::circles;
-}
-
 /// Returns nothing for undefined.
 std::optional<double> numberFrom(const val& value) {
   return value.isUndefined() ? std::nullopt : std::optional(value.as<double>());
@@ -227,7 +220,7 @@ val writeCirclesValue(const val& coordinates, const std::string& format, const v
 val writeDiagramValue(const val& value, const std::string& format, const val& options) {
   return valueOf([&] {
     Diagram diagram = diagramFrom(value);
-    diagram.metric = metricFrom(value["metric"].as<std::string>());
+    diagram.metric = metricFromName(value["metric"].as<std::string>()).value_or(Metric::circles);
     const auto found = named(kExports, format);
     const bool isDrawn = found != kExports.end();
     // The arrays may have been changed, and only a certified diagram can be drawn.

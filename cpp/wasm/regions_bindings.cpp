@@ -67,13 +67,6 @@ struct Clip {
 
 const ClippedDiagram& clippedOf(std::uintptr_t address) { return *reinterpret_cast<const Clip*>(address)->clipped; }
 
-Metric metricFrom(const std::string& name) {
-  for (const Metric metric : {Metric::centers, Metric::power}) {
-    if (metricName(metric) == name) return metric;
-  }
-  return Metric::circles;
-}
-
 std::optional<double> distanceFrom(const val& maxDistance) {
   if (maxDistance.isUndefined()) return {};
   return maxDistance.as<double>();
@@ -84,7 +77,7 @@ val createClip(std::uintptr_t region, const val& value, const val& maxDistance) 
   return valueOf([&] {
     auto clip = std::make_unique<Clip>();
     clip->diagram = diagramFrom(value);
-    clip->diagram.metric = metricFrom(value["metric"].as<std::string>());
+    clip->diagram.metric = metricFromName(value["metric"].as<std::string>()).value_or(Metric::circles);
     auto clipped = ClippedDiagram::from(clip->diagram, regionOf(region), distanceFrom(maxDistance));
     if (!clipped.ok()) return errorValue(clipped.error());
     clip->clipped.emplace(std::move(clipped).value());

@@ -22,6 +22,7 @@
 #include "shifted_signs.h"
 #include "tie_inputs.h"
 #include "validate.h"
+#include "weighted_point.h"
 
 namespace circle_voronoi {
 namespace laws_test {
@@ -72,6 +73,33 @@ TEST(Laws, OfPoints) {
     EXPECT_EQ(orientation(a, b, c), -orientation(b, a, c));
     EXPECT_EQ(inCircle(a, b, c, d), inCircle(b, c, a, d));
     EXPECT_EQ(inCircle(a, b, c, d), inCircle(b, a, d, c));
+  });
+}
+
+TEST(Laws, OfPowers) {
+  forEachInput(4, 400, [](const std::vector<Circle>& circles, Random& random) {
+    std::vector<WeightedPoint> points;
+    for (const Circle& circle : circles) points.push_back(weightedPoint(circle, false));
+    const WeightedPoint &a = points[0], &b = points[1], &c = points[2], &d = points[3];
+    EXPECT_EQ(powerTest(a, b, c, d), powerTest(b, c, a, d));
+    EXPECT_EQ(powerTest(a, b, c, d), powerTest(b, a, d, c));
+    EXPECT_EQ(powerTest(a, b, c, d), -powerTest(b, a, c, d));
+    const auto withWeight = [](const WeightedPoint& point, double weight) {
+      return WeightedPoint{point.p, {weight, 0}};
+    };
+    EXPECT_EQ(powerTest(withWeight(a, 7), withWeight(b, 7), withWeight(c, 7), withWeight(d, 7)),
+              inCircle(a.p, b.p, c.p, d.p));
+    // Small integers, so that no sum is rounded.
+    const std::array<double, 4> weights = {1.0 * static_cast<double>(random.below(9)), 2, -3, 0};
+    const auto testWith = [&](double more) {
+      return powerTest(withWeight(a, weights[0] + more), withWeight(b, weights[1] + more),
+                       withWeight(c, weights[2] + more), withWeight(d, weights[3] + more));
+    };
+    EXPECT_EQ(testWith(0), testWith(1024));
+    // Collinear: on the x axis.
+    const auto onAxis = [](const WeightedPoint& point) { return WeightedPoint{{point.p.x, 0}, point.weight}; };
+    if (a.p.x != b.p.x)
+      EXPECT_EQ(powerTest(onAxis(a), onAxis(b), onAxis(c)), powerTest(onAxis(b), onAxis(a), onAxis(c)));
   });
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
+#include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -110,6 +111,36 @@ std::vector<std::array<int, 3>> delaunayFaces(std::span<const Point> points) {
   }
   for (auto& face : faces) std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+std::vector<std::array<int, 3>> regularFaces(std::span<const Circle> circles, bool weights) {
+  using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
+  using Triangulation = CGAL::Regular_triangulation_2<Kernel>;
+  const auto weightOf = [&](const Circle& c) {
+    const CGAL::Gmpq r(c.r);
+    return weights ? r : CGAL::Gmpq(r * r);
+  };
+  std::map<std::pair<double, double>, int> indices;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    const auto [place, isNew] = indices.emplace(std::pair(circles[i].x, circles[i].y), index);
+    if (!isNew && weightOf(circles[i]) > weightOf(circles[static_cast<std::size_t>(place->second)])) {
+      place->second = index;
+    }
+  }
+  Triangulation triangulation;
+  std::map<Triangulation::Vertex_handle, int> indexOf;
+  for (const auto& [place, index] : indices) {
+    const Circle& c = circles[static_cast<std::size_t>(index)];
+    const auto vertex = triangulation.insert({Kernel::Point_2(c.x, c.y), weightOf(c)});
+    if (vertex != nullptr) indexOf[vertex] = index;
+  }
+  std::vector<std::array<int, 3>> faces;
+  if (triangulation.dimension() < 2) return faces;
+  for (const auto face : triangulation.finite_face_handles()) {
+    faces.push_back({indexOf.at(face->vertex(0)), indexOf.at(face->vertex(1)), indexOf.at(face->vertex(2))});
+  }
   return faces;
 }
 

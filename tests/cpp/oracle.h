@@ -22,4 +22,9 @@ namespace circle_voronoi::oracle {
 /// with its smallest corner, sorted. Among equal points, the first is the corner.
 [[gnu::visibility("default")]] std::vector<std::array<int, 3>> delaunayFaces(std::span<const Point> points);
 
+/// The finite faces of CGAL's regular triangulation in exact numbers, of the centers with squared radii as weights, or
+/// with the radii as weights. Of circles with one center, the first of the largest weight is the corner.
+[[gnu::visibility("default")]] std::vector<std::array<int, 3>> regularFaces(std::span<const Circle> circles,
+                                                                            bool weights);
+
 }  // namespace circle_voronoi::oracle

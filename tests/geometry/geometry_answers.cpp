@@ -245,9 +245,7 @@ Result<Diagram> diagramOf(const std::vector<Circle>& circles, std::string_view m
     options.weights = true;
     return compute(circles, options);
   }
-  for (const Metric known : {Metric::circles, Metric::centers, Metric::power}) {
-    if (metric == metricName(known)) return compute(circles, {.metric = known});
-  }
+  if (const auto known = metricFromName(metric)) return compute(circles, {.metric = *known});
   return Error{ErrorCode::badOption, -1, "There is no such metric."};
 }
 

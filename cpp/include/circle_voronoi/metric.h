@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "circle_voronoi/abi.h"
@@ -16,8 +17,10 @@ enum class Metric {
   power,    ///< |p - c|^2 - r^2, or |p - c|^2 - w with weights: the power (Laguerre) diagram
 };
 
-/// Returns the name of a metric, as in the enumeration.
+/// Returns the name of a metric, as in the enumeration; past the last one it is empty.
 [[nodiscard]] std::string_view metricName(Metric metric);
+/// Returns the metric with a name; nothing if there is none.
+[[nodiscard]] std::optional<Metric> metricFromName(std::string_view name);
 
 /// Returns the distance of p from a circle, whose third number is its radius, or its weight (Options::weights).
 [[nodiscard]] double distance(Metric metric, const Circle& circle, Point p, bool weights = false);

@@ -24,6 +24,8 @@ class Diagram:
     @property
     def first_side(self) -> Indices: ...
     @property
+    def metric(self) -> str: ...
+    @property
     def weights(self) -> bool: ...
     @property
     def certificate(self) -> _Certificate: ...
@@ -84,6 +86,7 @@ class Editor:
 
 def compute(
     circles: Floats,
+    metric: str,
     weights: bool,
     method: str,
     candidates: str,

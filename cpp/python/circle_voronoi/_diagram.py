@@ -37,6 +37,7 @@ from ._regions import region_of
 if TYPE_CHECKING:
     from os import PathLike
 
+METRICS = ("circles", "centers", "power")
 METHODS = ("auto", "touching-disc", "flip")
 CANDIDATES = ("dynamic", "uniform", "all-pairs")
 FORMATS = ("json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj")
@@ -148,8 +149,13 @@ class Diagram:
         return self._core.first_side
 
     @property
+    def metric(self) -> str:
+        """The distance that defines the cells: "circles", "centers" or "power"."""
+        return self._core.metric
+
+    @property
     def weights(self) -> bool:
-        """Whether radii are additive weights, which may be negative."""
+        """Whether the third numbers of circles are weights, which may be negative."""
         return self._core.weights
 
     @property
@@ -547,6 +553,7 @@ def compute(
     r: Any = None,
     *,
     x: Any = None,
+    metric: str = "circles",
     weights: bool = False,
     method: str = "auto",
     candidates: str = "dynamic",
@@ -567,8 +574,11 @@ def compute(
     y, r : array_like, shape (n,), or a number for `r`; for tables a name of a column
     x : str, optional
         For tables, the name of the column.
+    metric : {"circles", "centers", "power"}
+        The distance of a point p from a circle with the center c: |p - c| - r, |p - c|, or |p - c|^2 - r^2, which
+        gives the power (Laguerre) diagram.
     weights : bool
-        Whether radii are additive weights, which may be negative.
+        Whether `r` holds weights, which may be negative: the distance is |p - c| - r, or |p - c|^2 - r for "power".
     method : {"auto", "touching-disc", "flip"}
         With "auto" the result is certified, or there is an error.
     candidates, samples, resample
@@ -588,6 +598,7 @@ def compute(
     """
     core = _core.compute(
         _circles(circles, x, y, r),
+        choice(metric, METRICS, "metric"),
         bool(weights),
         choice(method, METHODS, "method"),
         choice(candidates, CANDIDATES, "candidates"),

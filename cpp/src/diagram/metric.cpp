@@ -17,6 +17,13 @@ std::string_view metricName(Metric metric) {
   return "";
 }
 
+std::optional<Metric> metricFromName(std::string_view name) {
+  for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
+    if (metricName(metric) == name) return metric;
+  }
+  return std::nullopt;
+}
+
 double distance(Metric metric, const Circle& circle, Point p, bool weights) {
   const double toCenter = lengthOf({p.x - circle.x, p.y - circle.y});
   switch (metric) {

@@ -149,9 +149,9 @@ class DiagramReader {
   void readMetric() {
     expect(JsonKind::string, [] { return "a string for metric"; });
     const std::string name(reader_.string());
-    for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
-      if (name != metricName(metric)) continue;
-      diagram.metric = metric;
+    const auto metric = metricFromName(name);
+    if (metric) {
+      diagram.metric = *metric;
       return;
     }
     reader_.fail("there is no metric \"" + name + "\"; it is circles, centers or power.");
@@ -286,7 +286,7 @@ Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep 
     } catch (const ReadError& failure) {
       return errorAt(name, rest, failure);
     }
-    if (const auto judged = validate(reader.diagram.circles, reader.diagram.weights); !judged) {
+    if (const auto judged = validate(reader.diagram.circles, reader.diagram.weights, reader.diagram.metric); !judged) {
       return errorAtCircle(judged.error(), reader.circleOffsets, name, rest);
     }
     for (Circle& c : reader.diagram.circles) c = rounded(c);

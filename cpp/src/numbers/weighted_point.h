@@ -26,7 +26,7 @@ inline WeightedPoint weightedPoint(const Circle& c, bool areWeights) {
 /// properties, algorithms and applications", 1987).
 ///
 /// Laws (laws_test.cpp):
-///   powerTest(a, b, c, d) == powerTest(b, c, a, d) == powerTest(b, a, d, c).
+///   powerTest(a, b, c, d) == powerTest(b, c, a, d) == powerTest(b, a, d, c) == -powerTest(b, a, c, d).
 ///   powerTest(a, b, c) == powerTest(b, a, c).
 ///   With equal weights, powerTest(a, b, c, d) == inCircle(a, b, c, d), and adding a number to all weights changes no
 ///   sign, if nothing is rounded.

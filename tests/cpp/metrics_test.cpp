@@ -22,9 +22,9 @@
 namespace circle_voronoi {
 namespace {
 
-class Comparison : public testing::TestWithParam<Metric> {};
+class Metrics : public testing::TestWithParam<Metric> {};
 
-TEST_P(Comparison, CellsContainTheNearestPointsAndFillTheBox) {
+TEST_P(Metrics, CellsContainTheNearestPointsAndFillTheBox) {
   Random random(1);
   for (const FamilyInfo& family : families()) {
     if (test::isTooWideToDraw(family.family)) continue;
@@ -55,7 +55,7 @@ TEST_P(Comparison, CellsContainTheNearestPointsAndFillTheBox) {
   }
 }
 
-TEST_P(Comparison, EdgesAreStraightAndAtEqualDistances) {
+TEST_P(Metrics, EdgesAreStraightAndAtEqualDistances) {
   if (GetParam() == Metric::circles) return;
   const auto circles = generate(Family::uniform, 200, 5);
   const Diagram diagram = compute(circles, {.metric = GetParam()}).value();
@@ -71,7 +71,7 @@ TEST_P(Comparison, EdgesAreStraightAndAtEqualDistances) {
   }
 }
 
-TEST_P(Comparison, OfEqualCirclesIsTheirDiagram) {
+TEST_P(Metrics, OfEqualCirclesIsTheirDiagram) {
   auto circles = generate(Family::uniform, 300, 6);
   for (Circle& c : circles) c.r = 0.5;
   const Diagram expected = compute(circles).value();
@@ -85,7 +85,7 @@ TEST_P(Comparison, OfEqualCirclesIsTheirDiagram) {
   EXPECT_EQ(actual.hull, expected.hull);
 }
 
-TEST_P(Comparison, RejectsWhatComputeRejects) {
+TEST_P(Metrics, RejectsWhatComputeRejects) {
   const std::vector<Circle> circles = {{0, 0, 1}, {1, 0, -1}};
   const auto result = compute(circles, {.metric = GetParam()});
   ASSERT_FALSE(result);
@@ -98,7 +98,7 @@ std::string nameOfMetricTest(const testing::TestParamInfo<Metric>& metric) {
   return kNames[static_cast<int>(metric.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Metrics, Comparison, testing::Values(Metric::circles, Metric::centers, Metric::power),
+INSTANTIATE_TEST_SUITE_P(Metrics, Metrics, testing::Values(Metric::circles, Metric::centers, Metric::power),
                          nameOfMetricTest);
 
 TEST(ComparisonOfPower, TheRadiusOfAVertexIsThatOfTheCircleAtRightAngles) {
