@@ -61,7 +61,7 @@ struct Links {
 /// circle and runs from start to end. Side 2 e + 1, its twin, belongs to the right circle and runs from end to start.
 /// So each side has its cell on its left, and the sides of a cell run counter-clockwise around it.
 ///
-/// The functions that take a diagram keep their promises for certified diagrams and for the diagrams of comparison.h.
+/// The functions that take a diagram keep their promises for certified diagrams.
 struct Diagram {
   /// The circles of the input, hidden ones included.
   std::vector<Circle> circles;

@@ -410,6 +410,8 @@ class Diagram:
         CircleVoronoiError
             An id is unknown, or a circle is not valid. `edit` is the index of the edit to blame.
         """
+        if self.metric != "circles":
+            raise CircleVoronoiError(f"A diagram of the metric {self.metric} cannot be updated.", "badInput")
         editor = self._editor if self._editor is not None else _Editor(self)
         changes = {} if replace is None else dict(mapping(replace, "replace"))
         edits = (

@@ -102,8 +102,8 @@ CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
   CircleIndex circle = starts_.near(p, 0, [](CircleIndex) { return true; });
   if (circle == kNone) return kNone;
   if (hint != kNone && diagram_.hasCell(hint) && distanceDifference(diagram_, hint, circle, p) > 0) circle = hint;
-  // Each step comes nearer, so the walk ends. But rounding may lead around a loop, which then meets the circle marked at
-  // step 4, 8, 16 and so on.
+  // Each step comes nearer, so the walk ends. But rounding may lead around a loop, which then meets the circle marked
+  // at step 4, 8, 16 and so on.
   CircleIndex marked = circle;
   std::size_t step = 0;
   for (std::size_t markAt = 4;; ++step) {

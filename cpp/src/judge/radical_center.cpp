@@ -19,7 +19,7 @@ double rootOf(double power) { return std::copysign(std::sqrt(std::abs(power)), p
 /// The determinant is a multiple of 2^-192 (limits.h), and ku and kv are below 2^195. So the center is below 2^487, and
 /// its square does not overflow.
 std::optional<Vertex> inDoubles(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c) {
-  /// What is left of the largest terms.
+  /// The least share of the largest terms that cancellation leaves.
   constexpr double kCertain = 0x1p-12;
   const Vector u = {b.p.x - a.p.x, b.p.y - a.p.y};
   const Vector v = {c.p.x - a.p.x, c.p.y - a.p.y};

@@ -91,8 +91,8 @@ class Triangulator {
   }
 
  private:
-  /// Whether a site is lifted below the plane of a face. That of a face at infinity is vertical; a site in this plane
-  /// counts as in the line of its edge.
+  /// Whether a site is lifted below the plane of a face. The plane of a face at infinity is vertical. There, the site
+  /// is compared with the lifted edge.
   bool isTakenBy(int site, int face) const {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       if (isFinite(dual_.origin[h])) continue;

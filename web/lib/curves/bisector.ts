@@ -83,7 +83,7 @@ export function bisector(circles: Float64Array, left: number, right: number, met
 
 /** Does what `bisector` does, for arguments that have been checked. */
 export function bisectorOf(circles: Float64Array, left: number, right: number, metric: Metric): Bisector {
-  return measureBisector(blankBisector(), circles, left, right, metric)
+  return measureBisector(blankBisector(), circles, left, right, metric, false)
 }
 
 /** An object whose numbers can be replaced in place. */
@@ -106,6 +106,7 @@ export function measureBisector(
   left: number,
   right: number,
   metric: Metric,
+  weights: boolean,
 ): Bisector {
   const leftRadius = at(circles, 3 * left + 2)
   const rightRadius = at(circles, 3 * right + 2)
@@ -122,7 +123,8 @@ export function measureBisector(
   const difference = metric === 'circles' ? leftRadius - rightRadius : 0
   const size = Math.abs(difference)
   // Below 2^290: the radii are below 2^97, and the centers 2^-96 apart.
-  const shift = metric === 'power' ? (leftRadius - rightRadius) * ((leftRadius + rightRadius) / (2 * d)) : 0
+  const sum = weights ? 1 : leftRadius + rightRadius
+  const shift = metric === 'power' ? (leftRadius - rightRadius) * (sum / (2 * d)) : 0
   // The difference of d and size has few digits where one circle is nearly inside the other. The difference of their
   // squares has all digits.
   const isNearlyInside = metric === 'circles' && d - size < NEARLY_INSIDE * d

@@ -65,13 +65,15 @@ export function edgeCurve(diagram: DiagramData, edge: number): EdgeCurve {
 
 /** Does what `edgeCurve` does, for arguments that have been checked. `room` holds the bisector and the ends of the result. */
 export function curveOf(
-  { circles, metric, vertices, edges }: DiagramData,
+  { circles, metric, weights, vertices, edges }: DiagramData,
   edge: number,
   room = roomForCurve(),
 ): EdgeCurve {
   const start = placed(room.start, vertices, at(edges, 4 * edge + 2))
   const end = placed(room.end, vertices, at(edges, 4 * edge + 3))
-  const whole = measureBisector(room.bisector, circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
+  const left = at(edges, 4 * edge)
+  const right = at(edges, 4 * edge + 1)
+  const whole = measureBisector(room.bisector, circles, left, right, metric, weights)
   return arcBetween(whole, start, end)
 }
 

@@ -433,7 +433,7 @@ export class Diagram implements DiagramData {
     const measured = this.#measuredIn(i, 'cellArea', options)
     if (measured !== undefined) return at(measured.clip.areas, measured.row)
     const area = areaOf(this.#outline(i, 'cellArea', options))
-    new AreaJudge(this.#limitsOf('cellArea', options).bounds, this.metric).add(area, circleOf(this.circles, i), i)
+    new AreaJudge(this.#limitsOf('cellArea', options).bounds).add(area, circleOf(this.circles, i), i)
     return area
   }
 
@@ -465,7 +465,7 @@ export class Diagram implements DiagramData {
   cellAreas(options: BoundsOptions = {}): Float64Array {
     const areas = this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
     if (options.region !== undefined || this.hull.length === 0) return areas
-    const judge = new AreaJudge(this.#limitsOf('cellAreas', options).bounds, this.metric)
+    const judge = new AreaJudge(this.#limitsOf('cellAreas', options).bounds)
     areas.forEach((area, i) => {
       judge.add(area, circleOf(this.circles, i), i)
     })

@@ -57,9 +57,18 @@ function twiceToMiddle(point: WholeVector, from: WholeVector): WholeVector {
   return { x: point.x - 2n * from.x, y: point.y - 2n * from.y }
 }
 
-/** The weight of a circle in a diagram of straight edges. */
-function weightOf({ circles, metric }: DiagramData, circle: number): number {
-  return metric === 'power' ? at(circles, 3 * circle + 2) ** 2 : 0
+/** The weight of a circle in a diagram of straight edges, rounded. */
+function weightOf({ circles, metric, weights }: DiagramData, circle: number): number {
+  if (metric !== 'power') return 0
+  const r = at(circles, 3 * circle + 2)
+  return weights ? r : r ** 2
+}
+
+/** The weight exactly, in units of the squared coordinate step. */
+function wholeWeightOf({ circles, metric, weights }: DiagramData, circle: number): bigint {
+  if (metric !== 'power') return 0n
+  const r = at(circles, 3 * circle + 2)
+  return weights ? wholeSquareOf(r) : wholeOf(r) ** 2n
 }
 
 /** Exact numbers of a neighbor, seen from the circle. */
@@ -78,7 +87,7 @@ export function wholeNeighbor(diagram: DiagramData, circle: number, neighbor: nu
     x: number(0, neighbor) - number(0, circle),
     y: number(1, neighbor) - number(1, circle),
     s: metric === 'circles' ? number(2, neighbor) - number(2, circle) : 0n,
-    weight: wholeSquareOf(weightOf(diagram, circle)) - wholeSquareOf(weightOf(diagram, neighbor)),
+    weight: wholeWeightOf(diagram, circle) - wholeWeightOf(diagram, neighbor),
   }
 }
 
@@ -166,7 +175,7 @@ export class BisectorBorder implements BorderCurve {
   }
 
   #weightSize(): number {
-    return weightOf(this.#diagram, this.#circle) + weightOf(this.#diagram, this.#neighbor)
+    return Math.abs(weightOf(this.#diagram, this.#circle)) + Math.abs(weightOf(this.#diagram, this.#neighbor))
   }
 
   // With D the way between the centers, s the difference of their radii and u the direction of the line, which has the

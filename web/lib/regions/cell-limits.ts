@@ -12,7 +12,6 @@ export interface Limits {
 
 /** Generous bounds on the errors of vertices, as a share of their distance, and on rounding of coordinates. */
 const ERROR_OF_VERTICES = 2 ** -30
-const ERROR_OF_POWER_VERTICES = 2 ** -14
 const ROUNDING = 2 ** -45
 
 /** Returns the radius of the disc around a circle's center that the maximum distance keeps. It may be negative. */
@@ -21,11 +20,10 @@ export function reachFrom({ circles, metric }: DiagramData, circle: number, maxD
 }
 
 /** Returns an upper bound of the distance to points of a cell, and of all errors. */
-function farthest({ circles, metric }: DiagramData, circle: number, reach: number, { bounds }: Limits): number {
+function farthest({ circles }: DiagramData, circle: number, reach: number, { bounds }: Limits): number {
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)
-  const ofVertices = metric === 'power' ? ERROR_OF_POWER_VERTICES : ERROR_OF_VERTICES
-  return reach + ofVertices * reach + ROUNDING * (Math.abs(x) + Math.abs(y) + bounds.reachFrom({ x, y }))
+  return reach + ERROR_OF_VERTICES * reach + ROUNDING * (Math.abs(x) + Math.abs(y) + bounds.reachFrom({ x, y }))
 }
 
 /**

@@ -145,7 +145,7 @@ export class Cells {
    */
   distanceDifference(circle: number, other: number, x: number, y: number): number {
     // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d))
-    const { circles, metric } = this.diagram
+    const { circles, metric, weights } = this.diagram
     const cx = at(circles, 3 * circle)
     const cy = at(circles, 3 * circle + 1)
     const dx = at(circles, 3 * other)
@@ -153,8 +153,8 @@ export class Cells {
     const cr = at(circles, 3 * circle + 2)
     const dr = at(circles, 3 * other + 2)
     const difference = metric === 'centers' ? 0 : dr - cr
-    let size = hypotenuse(x - cx, y - cy) + hypotenuse(x - dx, y - dy)
-    if (metric === 'power') size += cr + dr
+    const radii = metric === 'power' ? this.#radiusOf(circle) + this.#radiusOf(other) : 0
+    const size = hypotenuse(x - cx, y - cy) + hypotenuse(x - dx, y - dy) + radii
     if (size === 0) return -difference
     const sumX = x - cx + (x - dx)
     const sumY = y - cy + (y - dy)
@@ -162,7 +162,7 @@ export class Cells {
     const unit = unitFor(Math.max(Math.abs(sumX), Math.abs(sumY), size))
     const product = (cx - dx) * (sumX / unit) + (cy - dy) * (sumY / unit)
     if (metric !== 'power') return product / (size / unit) - difference
-    return (product - difference * ((cr + dr) / unit)) / (size / unit)
+    return (product - difference * ((weights ? 1 : radii) / unit)) / (size / unit)
   }
 
   /**
@@ -173,7 +173,18 @@ export class Cells {
     const { circles } = this.diagram
     const dx = at(circles, 3 * circle) - at(circles, 3 * other)
     const dy = at(circles, 3 * circle + 1) - at(circles, 3 * other + 1)
-    return 2 ** -49 * (hypotenuse(dx, dy) + Math.abs(at(circles, 3 * circle + 2) - at(circles, 3 * other + 2)))
+    return 2 ** -49 * (hypotenuse(dx, dy) + Math.abs(this.#signedRadiusOf(circle) - this.#signedRadiusOf(other)))
+  }
+
+  /** Returns the radius of a circle, or the root of the weight that it has in a power diagram, with the weight's sign. */
+  #signedRadiusOf(circle: number): number {
+    const { circles, metric, weights } = this.diagram
+    const r = at(circles, 3 * circle + 2)
+    return metric === 'power' && weights ? Math.sign(r) * Math.sqrt(Math.abs(r)) : r
+  }
+
+  #radiusOf(circle: number): number {
+    return Math.abs(this.#signedRadiusOf(circle))
   }
 
   /** Checks the next side of a walk around a cell that may visit `left` more sides. */

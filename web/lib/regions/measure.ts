@@ -5,7 +5,7 @@ import { at } from '../base/diagram-data.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import { between, cross } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
-import type { DiagramData, Metric, Point, Vector } from '../base/types.ts'
+import type { DiagramData, Point, Vector } from '../base/types.ts'
 import { type Bisector, pointOf } from '../curves/bisector.ts'
 import { carlson } from '../curves/carlson.ts'
 import type { BoundedCurve } from '../curves/curve.ts'
@@ -23,7 +23,6 @@ import type { Outline, OutlinePiece } from './outline-piece.ts'
 const ROUNDING_OF_AREA = 2 ** -44
 /** The error bound of a vertex, as a share of the distances from its circles. */
 const ROUNDING_OF_VERTICES = 2 ** -34
-const ROUNDING_OF_POWER_VERTICES = 2 ** -18
 /** The error bound of a point on the border of the bounds, as a share of coordinates and of distances from circles. */
 const ROUNDING_OF_BOUNDARY = 2 ** -44
 /** The rounding error of coordinates, as a share of the largest coordinate. */
@@ -103,7 +102,7 @@ export function perimeterOf(outline: Outline): number {
 }
 
 /** Returns a bound on the error of the coordinates of a vertex. */
-export function errorOfVertex({ circles, metric, vertexCircles, vertices }: DiagramData, vertex: number): number {
+export function errorOfVertex({ circles, vertexCircles, vertices }: DiagramData, vertex: number): number {
   const x = at(vertices, 3 * vertex)
   const y = at(vertices, 3 * vertex + 1)
   let size = 0
@@ -111,8 +110,7 @@ export function errorOfVertex({ circles, metric, vertexCircles, vertices }: Diag
     const circle = 3 * at(vertexCircles, k)
     size += Math.abs(at(circles, circle) - x) + Math.abs(at(circles, circle + 1) - y)
   }
-  const rounding = metric === 'power' ? ROUNDING_OF_POWER_VERTICES : ROUNDING_OF_VERTICES
-  return rounding * size + ROUNDING_OF_COORDINATES * (Math.abs(x) + Math.abs(y))
+  return ROUNDING_OF_VERTICES * size + ROUNDING_OF_COORDINATES * (Math.abs(x) + Math.abs(y))
 }
 
 /** Judges the areas of cells inside bounds. */
@@ -120,12 +118,11 @@ export class AreaJudge {
   readonly #whole: number
   readonly #bounds: ConvexPolygon
   readonly #perimeter: number
-  readonly #ofVertices: number
   /** The largest coordinate of the bounds or distance between a circle and the bounds. */
   #reach: number
   #sum = 0
 
-  constructor(bounds: ConvexPolygon, metric: Metric) {
+  constructor(bounds: ConvexPolygon) {
     const { corners } = bounds
     this.#whole = bounds.area()
     this.#bounds = bounds
@@ -134,7 +131,6 @@ export class AreaJudge {
       0,
     )
     this.#reach = Math.max(...corners.map(largestOf))
-    this.#ofVertices = metric === 'power' ? ROUNDING_OF_POWER_VERTICES : ROUNDING_OF_VERTICES
   }
 
   /**
@@ -146,7 +142,7 @@ export class AreaJudge {
   add(area: number, center: Point, circle: number): void {
     if (area !== 0) this.#reach = Math.max(this.#reach, this.#bounds.reachFrom(center))
     this.#sum += area
-    const rounding = this.#ofVertices * this.#perimeter * this.#reach
+    const rounding = ROUNDING_OF_VERTICES * this.#perimeter * this.#reach
     if (area >= -rounding && area <= this.#whole + rounding) return
     const message = `The area of cell ${circle}, ${area}, is not between 0 and that of the bounds, ${this.#whole}. Certify the diagram.`
     throw new CircleVoronoiError('notCertified', message, { circle })
