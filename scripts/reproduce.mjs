@@ -132,7 +132,8 @@ function bench(methods, sizes, repetitions) {
 function machine(isQuick) {
   const firstLine = (program, args) => execFileSync(program, args, { cwd: ROOT, encoding: 'utf8' }).split('\n')[0]
   const system = existsSync('/etc/os-release') ? readFileSync('/etc/os-release', 'utf8') : ''
-  const cgal = readFileSync(`${NATIVE}cpp/third_party/CGAL/version.h`, 'utf8')
+  const macros = ['-E', '-dM', '-x', 'c++', '-include', 'CGAL/version.h', '/dev/null']
+  const cgal = execFileSync('c++', macros, { encoding: 'utf8' })
   return {
     processor: cpus()[0].model.trim(),
     cores: cpus().length,

@@ -17,21 +17,21 @@ const PURPOSES = {
       'cmake',
       'ninja-build',
       'g++',
-      'libcgal-dev',
       'libeigen3-dev',
-      'libboost-dev',
       'libcli11-dev',
       'libdragonbox-dev',
       'libfast-float-dev',
       'librange-v3-dev',
       'mandoc',
     ],
-    libraries: ['CGAL 5.5', 'Boost', 'Eigen 3.4', 'CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
+    libraries: ['Eigen 3.4', 'CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
   },
   tests: {
     packages: [
       'clang-format',
       'gcovr',
+      'libboost-dev',
+      'libcgal-dev',
       'libgtest-dev',
       'libbenchmark-dev',
       'libgmp-dev',
@@ -51,7 +51,7 @@ const PURPOSES = {
       'python3-skbuild',
       'python3-venv',
     ],
-    libraries: ['GMP', 'MPFR', 'GoogleTest', 'Google Benchmark', 'nlohmann/json', 'pybind11'],
+    libraries: ['CGAL 5.5', 'Boost', 'GMP', 'MPFR', 'GoogleTest', 'Google Benchmark', 'nlohmann/json', 'pybind11'],
   },
 }
 

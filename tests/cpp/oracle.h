@@ -14,8 +14,7 @@ namespace circle_voronoi::oracle {
 /// The Voronoi diagram by CGAL's Apollonius graph with exact decisions, without coordinates, hull and stats, and
 /// without the hiders of hidden circles.
 ///
-/// This library is a world of its own: it is compiled with GMP and directed rounding, the core without, so nothing of
-/// CGAL may be visible outside.
+/// This library is compiled with GMP and directed rounding, so nothing of CGAL is visible outside.
 [[gnu::visibility("default")]] Diagram exactDiagram(std::span<const Circle> circles);
 
 /// The faces of CGAL's Delaunay triangulation with exact decisions, kNone for the point at infinity, each beginning

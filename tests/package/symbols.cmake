@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the libraries in the packages STATIC and SHARED show to a program that has CGAL and Boost of its own, and that
-# program itself, with either, in FOLDER:
+# What the libraries in the packages STATIC and SHARED show to a program that has CGAL, and that program itself, with
+# either, in FOLDER:
 #   cmake -D STATIC=prefix -D SHARED=prefix -D LIBDIR=lib -D CXX=... -D NM=... -D FOLDER=... -P symbols.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
