@@ -104,6 +104,33 @@ TEST_F(Cli, AllMethodsMakeTheSameDiagram) {
   EXPECT_EQ(vertices("--method touching-disc --candidates all-pairs"), expected);
 }
 
+TEST_F(Cli, OtherMetricsAreCertifiedAndNamedInFiles) {
+  for (const std::string metric : {"power", "centers"}) {
+    const std::string file = path(metric + ".json");
+    ASSERT_EQ(run("compute " + kFixture + " --metric " + metric + " -o " + file).status, 0);
+    const auto diagram = nlohmann::json::parse(readFile(file));
+    EXPECT_EQ(diagram.at("metric"), metric);
+    EXPECT_EQ(run("certify " + file).status, 0);
+    // Its own edges are not those of the circles.
+    const auto edgesOf = [](nlohmann::json all) {
+      std::vector<nlohmann::json> edges;
+      for (const auto& edge : all.at("edges")) edges.push_back(edge.at("circles"));
+      std::sort(edges.begin(), edges.end());
+      return edges;
+    };
+    EXPECT_NE(edgesOf(diagram), edgesOf(nlohmann::json::parse(run("compute " + kFixture).out)));
+  }
+  const std::string weighted = "x,y,w\n0,0,-4\n3,0,1\n0,3,2\n";
+  const auto diagram = nlohmann::json::parse(run("compute - --metric power --weights w", weighted).out);
+  // The border of the first two circles: x^2 + 4 = (x - 3)^2 - 1.
+  EXPECT_NEAR(diagram.at("vertices").at(0).at("x").get<double>(), 4.0 / 6, 1e-15);
+  for (const std::string option : {"--method flip", "--trace " + path("trace"), "--lattice 9,0,0,9", "--sphere"}) {
+    const auto failed = run("compute - --metric power " + option, "1,2,3\n");
+    EXPECT_EQ(failed.status, 2) << option;
+    EXPECT_NE(failed.err.find("--metric circles"), std::string::npos) << failed.err;
+  }
+}
+
 TEST_F(Cli, BadLinesAreNamed) {
   expectFailure(run("compute -", "1,2,3\n1,2\n"), 2, "standard input:2: ");
   const std::string file = write("bad.csv", "x,y,r\n1,2,3\n1,2,three\n");

@@ -116,6 +116,7 @@ KINDS = {
     "finite distance": Kind(None, *options([1], "x", 1j, NAN, INF)),
     "tolerance": Kind(0.1, *options([1], "x", 1j, 0, -1, NAN, INF)),
     "unused": Kind(None, *options(1, "x", (0, 0, 9, 9), CIRCLES[:3, :2], [{}] * 4)),
+    "metric": Kind("circles", *options("euclidean", 5, None)),
     "method": Kind("auto", *options("fast", 5, None)),
     "candidates": Kind("dynamic", *options("some", 5, None)),
     "format": Kind("geojson", *options("pdf", 5, None)),
@@ -136,7 +137,7 @@ KINDS["places"] = Kind(*([KINDS["points"].right] + KINDS["points"].wrong), Wrong
 LIMITS = {"bounds": "bounds", "region": "region", "max_distance": "distance"}
 WITHIN = {"bounds": "bounds", "region": "region", "tolerance": "tolerance"}
 FIT = {"tolerance": "tolerance", "max_steps": "steps", "relax": "times", "weights": "starting weights"}
-COMPUTE = {"method": "method", "candidates": "candidates", "samples": "samples", "threads": "threads"}
+COMPUTE = {"metric": "metric", "method": "method", "candidates": "candidates", "samples": "samples", "threads": "threads"}
 
 
 def of(name):

@@ -202,6 +202,31 @@ def test_negative_weights():
     assert cv.compute(lowered, weights=True).vertices[:, :2] == pytest.approx(cv.compute(circles).vertices[:, :2])
 
 
+@pytest.mark.parametrize("weights", [False, True])
+def test_a_power_diagram_has_the_point_of_least_power(weights, tmp_path):
+    circles = random_circles(60, 13)
+    if weights:
+        circles[:, 2] = circles[:, 2] ** 2 - 30
+    diagram = cv.compute(circles, metric="power", weights=weights)
+    assert diagram.metric == "power" and diagram.certified and diagram.certify().certified
+    file = tmp_path / "power.json"
+    diagram.write(file)
+    assert cv.read(file).edges.tobytes() == diagram.edges.tobytes()
+    places = np.random.default_rng(14).uniform(circles.min(axis=0)[:2], circles.max(axis=0)[:2], (500, 2))
+    squares = ((places[:, None, :] - circles[None, :, :2]) ** 2).sum(axis=2)
+    powers = squares - (circles[:, 2] if weights else circles[:, 2] ** 2)
+    assert (powers[np.arange(500), diagram.find(places)] <= powers.min(axis=1) + 1e-9).all()
+    with pytest.raises(cv.CircleVoronoiError, match="power cannot be updated"):
+        diagram.update(remove=[0])
+
+
+def test_the_diagram_of_centers_ignores_radii():
+    circles = random_circles(60, 15)
+    points = cv.compute(circles[:, :2], r=0)
+    centers = cv.compute(circles, metric="centers")
+    assert centers.vertices.tobytes() == points.vertices.tobytes() and centers.certified
+
+
 def test_the_largest_empty_disc_touches_three_circles():
     circles = random_circles(50, 12)
     disc = cv.compute(circles).largest_empty_disc()

@@ -124,7 +124,8 @@ Verdict judgeHiddenPoints(std::span<const WeightedPoint> sites, const Dual& dual
     if (dual.isFinite(h / 3)) finiteFaceAt[dual.origin[h]] = h / 3;
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto& [point, beside] = points[k];
+    const WeightedPoint& point = points[k].point;
+    const int beside = points[k].beside;
     const bool isHidden = [&] {
       if (beside < 0 || static_cast<std::size_t>(beside) >= sites.size()) return false;
       if (edgeAt[beside] == kNone) {
