@@ -64,10 +64,13 @@ std::vector<Contestant> allContestants() {
   };
   Options twoThreads;
   twoThreads.threads = 2;
+  Options power;
+  power.metric = Metric::power;
   return {
       {"cgal-delaunay", referring(reference::delaunay), 10'000'000},
       {"auto", computing({}), 10'000'000},
       {"auto-two-threads", computing(twoThreads), 10'000'000},
+      {"power", computing(power), 10'000'000},
       {"touching-disc-0", computing(touchingDisc(Candidates::dynamic, 0)), 1'000'000},
       {"touching-disc-1", computing(touchingDisc(Candidates::dynamic, 1)), 1'000'000},
       {"touching-disc-3", computing(touchingDisc(Candidates::dynamic, 3)), 100'000},

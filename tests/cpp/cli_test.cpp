@@ -124,7 +124,9 @@ TEST_F(Cli, OtherMetricsAreCertifiedAndNamedInFiles) {
   const auto diagram = nlohmann::json::parse(run("compute - --metric power --weights w", weighted).out);
   // The border of the first two circles: x^2 + 4 = (x - 3)^2 - 1.
   EXPECT_NEAR(diagram.at("vertices").at(0).at("x").get<double>(), 4.0 / 6, 1e-15);
-  for (const std::string option : {"--method flip", "--trace " + path("trace"), "--lattice 9,0,0,9", "--sphere"}) {
+  const std::vector<std::string> options = {"--method flip", "--trace " + path("trace"), "--lattice 9,0,0,9",
+                                            "--sphere"};
+  for (const std::string& option : options) {
     const auto failed = run("compute - --metric power " + option, "1,2,3\n");
     EXPECT_EQ(failed.status, 2) << option;
     EXPECT_NE(failed.err.find("--metric circles"), std::string::npos) << failed.err;

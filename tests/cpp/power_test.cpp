@@ -23,7 +23,7 @@
 #include "rounded.h"
 #include "tie_inputs.h"
 
-namespace circle_voronoi {
+namespace circle_voronoi::power_test {
 namespace {
 
 using Number = boost::multiprecision::cpp_rational;
@@ -307,4 +307,4 @@ TEST(PowerDiagram, WithAnotherDiagonalIsNotCertified) {
 }
 
 }  // namespace
-}  // namespace circle_voronoi
+}  // namespace circle_voronoi::power_test

@@ -240,11 +240,8 @@ class Questions {
 };
 
 Result<Diagram> diagramOf(const std::vector<Circle>& circles, std::string_view metric) {
-  if (metric == "weights") {
-    Options options;
-    options.weights = true;
-    return compute(circles, options);
-  }
+  if (metric == "weights") return compute(circles, {.weights = true});
+  if (metric == "power-weights") return compute(circles, {.metric = Metric::power, .weights = true});
   if (const auto known = metricFromName(metric)) return compute(circles, {.metric = *known});
   return Error{ErrorCode::badOption, -1, "There is no such metric."};
 }

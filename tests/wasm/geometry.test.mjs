@@ -18,6 +18,7 @@ import {
   convexHull,
   cubicBeziers,
   edgeCurve,
+  fromJSON,
   largestEmptyDiscCenteredInHull,
   loadCircleVoronoi,
   mergeVertices,
@@ -98,6 +99,12 @@ for (const { name, circles } of [...fixtures, ...scaled, ...needles]) {
       return compare(library.compute(weights, { weights: true }), 'weights')
     })
 
+    it('has the geometry of C++ by the metric power with weights of any sign', () => {
+      const most = circles.reduce((most, value, k) => (k % 3 === 2 ? Math.max(most, value) : most), 0)
+      const weights = circles.map((value, k) => (k % 3 === 2 ? value - most / 2 : value))
+      return compare(fromJSON(nativeDiagram(weights, '--metric', 'power', '--weights', 'r')), 'power-weights')
+    })
+
     it('has the geometry of C++ with one weight far below zero', () => {
       const size = circles.reduce((most, value) => Math.max(most, Math.abs(value)), 0)
       const weights = circles.map((value, k) => (k % 3 === 2 ? Math.max(-(2 ** 52) * size, -(2 ** 96)) : value))
@@ -126,11 +133,22 @@ async function compare(diagram, metric) {
   })
 }
 
-/** The native program's answers: questions with their numbers. */
-async function native(circles, metric, { minX, minY, maxX, maxY }, maxDistance) {
+function fileOf(circles) {
   const file = `${folder}/circles.csv`
   const rows = Array.from({ length: circles.length / 3 }, (_, i) => circles.subarray(3 * i, 3 * i + 3).join())
   writeFileSync(file, `x,y,r\n${rows.map((row) => `${row}\n`).join('')}`)
+  return file
+}
+
+/** The JSON file of the native program's diagram. */
+function nativeDiagram(circles, ...options) {
+  const args = ['compute', fileOf(circles), ...options, '--format', 'json']
+  return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+}
+
+/** The native program's answers: questions with their numbers. */
+async function native(circles, metric, { minX, minY, maxX, maxY }, maxDistance) {
+  const file = fileOf(circles)
   child.stdin.write(`${[file, metric, minX, minY, maxX, maxY, maxDistance].join('\t')}\n`)
   const answers = []
   for (;;) {

@@ -34,9 +34,9 @@ struct Options {
   /// For dynamic candidates: if the diagram is not certified, take more samples around the flaw and try again.
   bool resample = false;
   /// Called for each event (trace.h). An empty observer costs nothing.
-  Observer observer;
+  Observer observer = {};
   /// Called as the computation proceeds. An empty one costs nothing.
-  Progress progress;
+  Progress progress = {};
 };
 
 }  // namespace circle_voronoi

@@ -46,7 +46,9 @@ Result<Diagram> compute(std::span<const Circle> circles, const Options& options)
     if (options.metric == Metric::centers) return diagramOfCenters(circles, options);
     auto valid = validate(circles, options.weights, Metric::power);
     if (!valid) return valid.error();
-    return powerDiagram(std::move(valid).value(), options.weights);
+    Options own = options;
+    own.progress = lettingThrough(options.progress);
+    return powerDiagram(std::move(valid).value(), own);
   });
 }
 

@@ -9,10 +9,13 @@
 #include <utility>
 
 #include "certificate_message.h"
+#include "journal.h"
 #include "judge_power.h"
 #include "radical_center.h"
 #include "regular_triangulation.h"
 #include "spatial_order.h"
+#include "stopwatch.h"
+#include "threads.h"
 #include "topology.h"
 
 namespace circle_voronoi {
@@ -24,7 +27,7 @@ struct PlacedCircles {
   std::vector<int> others;   ///< circles at the places of others, in increasing order
 };
 
-PlacedCircles onePerPlace(std::span<const Circle> circles) {
+PlacedCircles onePerPlace(std::span<const Circle> circles, Threads threads) {
   std::vector<int> order(circles.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   const auto rank = [&](int i) {
@@ -44,7 +47,7 @@ PlacedCircles onePerPlace(std::span<const Circle> circles) {
       places.push_back({c.x, c.y});
     }
   }
-  for (const int k : spatialOrder(places)) candidates.indices.push_back(firsts[static_cast<std::size_t>(k)]);
+  for (const int k : spatialOrder(places, threads)) candidates.indices.push_back(firsts[static_cast<std::size_t>(k)]);
   std::sort(candidates.others.begin(), candidates.others.end());
   return candidates;
 }
@@ -89,75 +92,68 @@ class HiddenFinder {
   bool isLine_ = false;
 };
 
-}  // namespace
+/// The visible sites of a triangulation with their circles, and its dual and hidden points in terms of these.
+struct PowerSites {
+  std::vector<WeightedPoint> sites;
+  std::vector<CircleIndex> circles;  ///< of each site
+  Dual dual;
+  std::vector<HiddenPoint> hidden;
+  std::vector<CircleIndex> hiddenCircles;  ///< of each hidden point
+};
 
-Result<Diagram> powerDiagram(std::vector<Circle> circles, bool weights) {
+PowerSites sitesOf(RegularTriangulation found, std::span<const WeightedPoint> points, const PlacedCircles& candidates,
+                   std::span<const Circle> circles, bool weights) {
+  PowerSites result;
+  std::vector<int> siteOf(points.size(), 0);
+  for (const int i : found.hidden) siteOf[static_cast<std::size_t>(i)] = kNone;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (siteOf[i] == kNone) continue;
+    siteOf[i] = static_cast<int>(result.sites.size());
+    result.sites.push_back(points[i]);
+    result.circles.emplace_back(candidates.indices[i]);
+  }
+  result.dual = std::move(found.dual);
+  for (int& corner : result.dual.origin) {
+    if (corner != kPointAtInfinity) corner = siteOf[static_cast<std::size_t>(corner)];
+  }
+  HiddenFinder finder(result.sites, result.dual);
+  const auto add = [&](int i) {
+    const WeightedPoint point = weightedPoint(circles[static_cast<std::size_t>(i)], weights);
+    result.hidden.push_back({point, result.sites.size() < 2 ? 0 : finder.beside(point.p)});
+    result.hiddenCircles.emplace_back(i);
+  };
+  // In spatial order, so that each is found near the one before.
+  for (const int i : found.hidden) add(candidates.indices[static_cast<std::size_t>(i)]);
+  for (const int i : candidates.others) add(i);
+  return result;
+}
+
+Diagram assembled(PowerSites found, std::vector<Circle> circles, bool weights, Threads threads) {
   Diagram diagram;
   diagram.metric = Metric::power;
   diagram.weights = weights;
-  const PlacedCircles candidates = onePerPlace(circles);
-  std::vector<WeightedPoint> points;
-  points.reserve(candidates.indices.size());
-  for (const int i : candidates.indices) points.push_back(weightedPoint(circles[static_cast<std::size_t>(i)], weights));
-  RegularTriangulation found = regularTriangulation(points);
-
-  // Without the hidden ones.
-  std::vector<int> siteOf(points.size(), 0);
-  for (const int i : found.hidden) siteOf[static_cast<std::size_t>(i)] = kNone;
-  std::vector<WeightedPoint> sites;
-  std::vector<CircleIndex> indices;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (siteOf[i] == kNone) continue;
-    siteOf[i] = static_cast<int>(sites.size());
-    sites.push_back(points[i]);
-    indices.emplace_back(candidates.indices[i]);
-  }
-  Dual& dual = found.dual;
-  for (int& corner : dual.origin) {
-    if (corner != kPointAtInfinity) corner = siteOf[static_cast<std::size_t>(corner)];
-  }
-  std::vector<HiddenPoint> hidden;
-  std::vector<CircleIndex> hiddenIndices;
-  {
-    std::vector<int> all;
-    for (const int i : found.hidden) all.push_back(candidates.indices[static_cast<std::size_t>(i)]);
-    // In spatial order, so that each is found near the one before.
-    HiddenFinder finder(sites, dual);
-    const auto add = [&](int i) {
-      const WeightedPoint point = weightedPoint(circles[static_cast<std::size_t>(i)], weights);
-      hidden.push_back({point, sites.size() < 2 ? 0 : finder.beside(point.p)});
-      hiddenIndices.emplace_back(i);
-    };
-    std::for_each(all.begin(), all.end(), add);
-    std::for_each(candidates.others.begin(), candidates.others.end(), add);
-  }
-  Verdict verdict = judgePower(sites, dual);
-  if (verdict.isRight()) verdict = judgeHiddenPoints(sites, dual, hidden);
-  if (!verdict.isRight()) {
-    return Error{ErrorCode::notCertified, kNone,
-                 "The construction of the power diagram did not lead to a certified one."};
-  }
-  for (std::size_t k = 0; k < hidden.size(); ++k) {
-    diagram.hidden.push_back({hiddenIndices[k], indices[static_cast<std::size_t>(hidden[k].beside)]});
+  for (std::size_t k = 0; k < found.hidden.size(); ++k) {
+    diagram.hidden.push_back({found.hiddenCircles[k], found.circles[static_cast<std::size_t>(found.hidden[k].beside)]});
   }
   std::sort(diagram.hidden.begin(), diagram.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
-  for (int face = 0; face < dual.faceCount(); ++face) {
-    if (!dual.isFinite(face)) continue;
-    auto corners = cornersOf(dual, 3 * face);
+  Dual& dual = found.dual;
+  const std::vector<VertexIndex> vertices = verticesOf(dual, threads);
+  diagram.vertices.resize(static_cast<std::size_t>(
+      std::count_if(vertices.begin(), vertices.end(), [](VertexIndex vertex) { return vertex != kNone; })));
+  threads.forEach(vertices.size(), [&](std::size_t face) {
+    if (vertices[face] == kNone) return;
+    auto corners = cornersOf(dual, 3 * static_cast<int>(face));
     // The same bits whatever corner comes first.
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    const auto& [a, b, c] = corners;
-    const auto point = [&](int corner) { return sites[static_cast<std::size_t>(corner)]; };
-    diagram.vertices.push_back(radicalCenter(point(a), point(b), point(c)));
-  }
+    const auto site = [&](std::size_t k) { return found.sites[static_cast<std::size_t>(corners[k])]; };
+    diagram.vertices[static_cast<std::size_t>(vertices[face])] = radicalCenter(site(0), site(1), site(2));
+  });
   for (int& corner : dual.origin) {
-    if (corner != kPointAtInfinity) corner = indices[static_cast<std::size_t>(corner)];
+    if (corner != kPointAtInfinity) corner = found.circles[static_cast<std::size_t>(corner)];
   }
-  const Threads threads;
-  const std::vector<VertexIndex> vertices = verticesOf(dual, threads);
   Topology topology = topologyOf(std::move(dual), vertices, static_cast<int>(circles.size()), diagram.links, threads);
-  if (indices.size() == 1) topology.hull = {indices[0]};
+  if (found.circles.size() == 1) topology.hull = {found.circles[0]};
   diagram.vertexCircles = std::move(topology.vertexCircles);
   diagram.edges = std::move(topology.edges);
   diagram.hull = std::move(topology.hull);
@@ -165,6 +161,52 @@ Result<Diagram> powerDiagram(std::vector<Circle> circles, bool weights) {
   diagram.circles = std::move(circles);
   diagram.certificate.flaw = Flaw::none;
   return diagram;
+}
+
+}  // namespace
+
+Result<Diagram> powerDiagram(std::vector<Circle> circles, const Options& options) {
+  Journal journal(options.progress);
+  const Threads threads(options.threads);
+  double seconds = 0;
+  auto result = [&]() -> Result<Diagram> {
+    const Stopwatch watch(seconds);
+    std::vector<WeightedPoint> points;
+    const PlacedCircles candidates = [&] {
+      const Stopwatch watchOrder = journal.enter(Stage::order);
+      PlacedCircles placed = onePerPlace(circles, threads);
+      points.reserve(placed.indices.size());
+      for (const int i : placed.indices) {
+        points.push_back(weightedPoint(circles[static_cast<std::size_t>(i)], options.weights));
+      }
+      return placed;
+    }();
+    RegularTriangulation triangulation = [&] {
+      const Stopwatch watchTriangulation = journal.enter(Stage::triangulate);
+      return regularTriangulation(points);
+    }();
+    PowerSites found;
+    {
+      const Stopwatch watchJudge = journal.enter(Stage::certify);
+      found = sitesOf(std::move(triangulation), points, candidates, circles, options.weights);
+      Verdict verdict = judgePower(found.sites, found.dual);
+      if (verdict.isRight()) verdict = judgeHiddenPoints(found.sites, found.dual, found.hidden);
+      if (!verdict.isRight()) {
+        return Error{ErrorCode::notCertified, kNone, "The construction did not lead to a certified power diagram."};
+      }
+    }
+    const Stopwatch watchAssembly = journal.enter(Stage::assemble);
+    return assembled(std::move(found), std::move(circles), options.weights, threads);
+  }();
+  if (!result) return result;
+  Stats& stats = journal.stats;
+  stats.method = Method::automatic;
+  stats.way = Way::insert;
+  stats.counts.circles = static_cast<std::int64_t>(result->circles.size());
+  stats.counts.hidden = static_cast<std::int64_t>(result->hidden.size());
+  stats.seconds.total = seconds;
+  result->stats = std::move(stats);
+  return result;
 }
 
 }  // namespace circle_voronoi

@@ -6,11 +6,12 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/options.h"
 
 namespace circle_voronoi {
 
-/// Computes the certified power diagram of valid circles (validate.h), whose radii may be the weights themselves.
-/// Errors: notCertified.
-Result<Diagram> powerDiagram(std::vector<Circle> circles, bool weights);
+/// Computes the certified power diagram of valid circles (validate.h), by the options `weights`, `threads` and
+/// `progress`. Errors: notCertified.
+Result<Diagram> powerDiagram(std::vector<Circle> circles, const Options& options);
 
 }  // namespace circle_voronoi
