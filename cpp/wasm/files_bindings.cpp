@@ -112,9 +112,6 @@ std::optional<Error> judge(Diagram& diagram) {
   return std::nullopt;
 }
 
-/// Power diagrams have no certificate, but are valid diagrams to keep.
-bool isJudged(const Diagram& diagram) { return diagram.metric != Metric::power; }
-
 /// Returns a text with one line per entry, because no entry has a line end. Empty if there are none.
 std::string linesOf(const std::vector<std::string>& entries) {
   std::string lines;
@@ -195,7 +192,7 @@ val readDiagramValue(const std::string& text, const std::string& name) {
     auto read = readDiagramFile(text, name);
     if (!read) return errorValue(read.error());
     Diagram& diagram = read->diagram;
-    const auto error = isJudged(diagram) ? judge(diagram) : std::nullopt;
+    const auto error = judge(diagram);
     if (error) return errorValue(*error);
     val result = diagramValue(diagram);
     result.set("metric", std::string(metricName(diagram.metric)));
@@ -224,7 +221,7 @@ val writeDiagramValue(const val& value, const std::string& format, const val& op
     const auto found = named(kExports, format);
     const bool isDrawn = found != kExports.end();
     // The arrays may have been changed, and only a certified diagram can be drawn.
-    const auto error = isDrawn || isJudged(diagram) ? judge(diagram) : std::nullopt;
+    const auto error = judge(diagram);
     if (error) return errorValue(*error);
     diagram.stats = statsFrom(value["stats"]);
     const CircleAttributes attributes = attributesFrom(options["attributes"], diagram.circles.size());

@@ -339,12 +339,6 @@ TEST_F(Cli, CertifyRefusesFilesWithoutADiagram) {
   expectFailure(run("certify -", "{\"format\": \"circle-voronoi\",\n \"version\": 2}"), 2,
                 "standard input:2: the version is not 1");
   expectFailure(run("certify " + path("absent.json")), 1, "Cannot read");
-  auto power = nlohmann::json::parse(run("compute -", "0,0,1\n6,0,1\n").out);
-  power["metric"] = "power";
-  for (const std::string command : {"certify ", "convert --format csv "}) {
-    expectFailure(run(command + write("power.json", power.dump())), 2,
-                  "power.json: There is no certificate for a power diagram.");
-  }
 }
 
 TEST_F(Cli, HelpAndVersionGoToStandardOutput) {
