@@ -72,23 +72,26 @@ TEST(GrowthOfRegions, OfDissolving) {
 
 /// A promise of region.h about a question that is asked at each corner of a region.
 Promise atCorners(std::string_view function, std::span<const GrowthFamily> families,
-                  const std::function<void(const Region& region, const Point& corner)>& ask) {
+                  const std::function<void(const Region& region, const Point& corner)>& ask, std::size_t size = 1000) {
   return {function, "region.h",
           [ask](const GrowthInput& input) {
             return [ask, region = kept(input.region())] {
               for (const Point& corner : region->points()) ask(*region, corner);
             };
           },
-          families};
+          families, size};
 }
 
 // The line from a point crosses many strips, turns of a spiral, and holes.
 TEST(GrowthOfRegions, OfPoints) {
   static const std::array kFamilies = {kUniform, kHub, kComb};
-  expectGrowth(atCorners("Region::contains", kFamilies, [](const Region& region, const Point& corner) {
+  // Of fewer sides, one more level of runs counts for more.
+  constexpr std::size_t kSize = 4000;
+  const auto ask = [](const Region& region, const Point& corner) {
     EXPECT_TRUE(region.contains(corner));
     static_cast<void>(region.contains({0.9 * corner.x, 0.9 * corner.y}));
-  }));
+  };
+  expectGrowth(atCorners("Region::contains", kFamilies, ask, kSize));
 }
 
 // Nearly all strips have boxes around each of their corners.

@@ -98,8 +98,9 @@ TEST(Laws, OfPowers) {
     EXPECT_EQ(testWith(0), testWith(1024));
     // Collinear: on the x axis.
     const auto onAxis = [](const WeightedPoint& point) { return WeightedPoint{{point.p.x, 0}, point.weight}; };
-    if (a.p.x != b.p.x)
+    if (a.p.x != b.p.x) {
       EXPECT_EQ(powerTest(onAxis(a), onAxis(b), onAxis(c)), powerTest(onAxis(b), onAxis(a), onAxis(c)));
+    }
   });
 }
 
