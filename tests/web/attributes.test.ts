@@ -3,31 +3,25 @@
 import { describe, expect, it, vi } from 'vitest'
 import { cellValues } from '../../web/app/cell-values.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
-import { PageActions } from '../../web/app/page-actions.ts'
 import {
   attributesOf,
   columnsOf,
   isNumeric,
   membersOf,
-  NO_ATTRIBUTES,
   numberIn,
   textIn,
   valueFrom,
 } from '../../web/editing/attributes.ts'
-import { Editing } from '../../web/editing/editing.ts'
 import { nameColumn, namesBy } from '../../web/editing/identity.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
 import { NONE } from '../../web/lib/base/diagram-data.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
-import { checkLayers, DEFAULT_LAYERS, keptLayers, type Layers, layersFrom } from '../../web/view/layers.ts'
+import { checkLayers, DEFAULT_LAYERS, keptLayers, layersFrom } from '../../web/view/layers.ts'
 import { factsOf } from '../../web/view/painter/facts.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
-import type { View } from '../../web/view/view.ts'
+import { fail, pageSession } from './editing-session.ts'
 import { library } from './library.ts'
-import { LibraryBackend } from './library-backend.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1)
 const PROPERTIES = [
@@ -84,31 +78,9 @@ describe('attributes', () => {
 
 async function started() {
   vi.stubGlobal('requestAnimationFrame', () => {})
-  const store = createStore(INITIAL_STATE)
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: { width: 100, height: 100 },
-    layers: DEFAULT_LAYERS,
-    setCamera() {},
-    setLayers(layers: Partial<Layers>) {
-      view.layers = { ...view.layers, ...layers }
-    },
-  }
-  const editing: Editing = new Editing(
-    new LibraryBackend(async () => {}),
-    (outcome) => {
-      store.update((state) => stateAfter(state, outcome, editing.circles))
-      actions.followColumn(outcome)
-    },
-    ({ message }) => {
-      throw new Error(message)
-    },
-  )
-  const padding = () => ({ top: 0, right: 0, bottom: 0, left: 0 })
-  const files = { call: () => Promise.reject(new Error()), cancel() {} }
-  const actions: PageActions = new PageActions(store, editing, view as unknown as View, padding, files)
-  await actions.open(async () => scene)
-  return { store, view, editing, actions }
+  const session = pageSession({ onproblem: fail })
+  await session.actions.open(async () => scene)
+  return session
 }
 
 describe('in the page, attributes', () => {
@@ -171,7 +143,7 @@ describe('in the page, attributes', () => {
   })
 
   it('are in a link with few circles, with the column of the colors, and in none that has no room', async () => {
-    const { editing, actions, view } = await started()
+    const { editing, actions, fake: view } = await started()
     await editing.edit([{ kind: 'remove', id: 1 }])
     actions.colorBy('n')
     const said = actions.linkState()
@@ -250,25 +222,6 @@ describe('colors by a column', () => {
     expect(picture.legend).toMatchObject({ categories: [...'abcdef'], hasOthers: true })
     picture.layers = DEFAULT_LAYERS
     expect([picture.colors, picture.legend]).toEqual([before, undefined])
-  })
-
-  it('follow the circles and the values, and end with their column', async () => {
-    const { editing, actions, view } = await started()
-    actions.colorBy('n')
-    const values = () => [...(view.layers.column?.values ?? [])]
-    expect(values()[1]).toBe(2.5)
-    await editing.setValues('n', new Map([[1, '3']]))
-    expect(values()[1]).toBe(3)
-    await editing.edit([{ kind: 'remove', id: 1 }])
-    await editing.undo()
-    expect(values()[1]).toBe(3)
-    await actions.open(async () => ({
-      ...scene,
-      attributes: columnsOf({ ...FILE, properties: ['{"n":1}', '{}', '{}'] }, 3),
-    }))
-    expect(values()).toEqual([1, NaN, NaN])
-    await actions.open(async () => ({ ...scene, attributes: NO_ATTRIBUTES }))
-    expect(view.layers.column).toBeUndefined()
   })
 
   it('are kept by their name, and refused where they are no values', () => {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names and colors of circles: edited, undone, linked, and drawn as labels and in the colors.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { PageActions } from '../../web/app/page-actions.ts'
 import { columnsOf, namedAs } from '../../web/editing/attributes.ts'
 import { isColor, isIdentity, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
 import { decodeLink, encodeLink, type LinkInput } from '../../web/lib/link.ts'
@@ -12,7 +11,7 @@ import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { styleOf } from '../../web/view/style.ts'
-import { editingSession } from './editing-session.ts'
+import { fail, pageSession } from './editing-session.ts'
 import { library, seededRandom } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 5, 1.5)
@@ -22,13 +21,7 @@ beforeEach(() => vi.stubGlobal('requestAnimationFrame', (act: () => void) => que
 afterEach(() => vi.unstubAllGlobals())
 
 function edited() {
-  const { store, editing, view } = editingSession({
-    onproblem: (error) => {
-      throw error
-    },
-  })
-  const reader = { call: async () => THREE.slice(), cancel: () => {} }
-  const actions = new PageActions(store, editing, view, () => NO_PADDING, reader as never)
+  const { editing, actions } = pageSession({ onproblem: fail })
   const names = () => namesOf(editing).map(({ id, text }) => `${id} ${text}`)
   return { editing, actions, names }
 }

@@ -17,7 +17,6 @@ import { LinkWriter } from '../../web/app/link-writer.ts'
 import { prefixOf, SceneStorage } from '../../web/app/scene-storage.ts'
 import { StatePersistence } from '../../web/app/state-persistence.ts'
 import { circlesOfLink } from '../../web/editing/scene-link.ts'
-import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { library } from './library.ts'
@@ -428,20 +427,6 @@ describe('what a page leaves late', () => {
     made[0]?.('v1.a')
     await vi.advanceTimersByTimeAsync(0)
     expect(address.hash).toBe('#v1.a')
-  })
-
-  it('is nowhere where the circles are too many, and what was there stays in the storage', async () => {
-    const { made, replaced, keeping: kept } = keeping('')
-    await kept.begin()
-    const tooLong = () => Promise.reject(new CircleVoronoiError('linkTooLong', 'too long'))
-    for (const link of [() => 'v1.a', tooLong]) {
-      kept.changed()
-      await vi.advanceTimersByTimeAsync(400)
-      made.shift()?.(link())
-      await vi.advanceTimersByTimeAsync(0)
-    }
-    expect(replaced).toEqual(['#v1.a', '/?q'])
-    expect(await keeping('').keeping.begin()).toBe('v1.a')
   })
 
   it('is written at once where the page is hidden, if it is not kept yet, and not as it is shown again', async () => {
