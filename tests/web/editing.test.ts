@@ -5,6 +5,7 @@ import { Editing, type Outcome } from '../../web/editing/editing.ts'
 import { problemOf } from '../../web/editing/problem.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { Superseded } from '../../web/view/refusal.ts'
+import { editOf } from './arbitrary-circles.ts'
 import { LibraryBackend } from './library-backend.ts'
 
 const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
@@ -283,11 +284,7 @@ describe('a history', () => {
     y: fc.nat(20),
     r: fc.constantFrom(0, 1, 2, 0, 1, 2, 3, 4, -1),
   })
-  const edit: fc.Arbitrary<Edit> = fc.oneof(
-    fc.record({ kind: fc.constant('insert' as const), circle }),
-    fc.record({ kind: fc.constant('remove' as const), id: fc.nat(4) }),
-    fc.record({ kind: fc.constant('replace' as const), id: fc.nat(4), circle }),
-  )
+  const edit = editOf(circle, fc.nat(4))
   const step = fc.oneof(
     {
       weight: 4,
