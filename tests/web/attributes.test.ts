@@ -84,58 +84,6 @@ async function started() {
 }
 
 describe('in the page, attributes', () => {
-  it('stay with their circles through edits, undo and other circles, and are edited and undone', async () => {
-    const { editing, store } = await started()
-    const values = (name: string) => Array.from(editing.circles.ids(), (id) => textIn(editing.valueOf(id, name)))
-    await editing.edit([{ kind: 'remove', id: 0 }])
-    await editing.edit([{ kind: 'insert', circle: { x: 5, y: 5, r: 1 } }])
-    expect(values('fips')).toEqual(['1003', '06037', ''])
-    await editing.setValues('fips', new Map([[1, '"2"']]))
-    await editing.setValues('fips', new Map([[3, '"new"']]))
-    expect(values('fips')).toEqual(['2', '06037', 'new'])
-    expect(store.get().attributes).toBe(editing.attributes)
-    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
-    expect([editing.fileAttributes, values('fips')]).toEqual([undefined, ['', '', '']])
-    await editing.undo()
-    expect(values('fips')).toEqual(['2', '06037', 'new'])
-    expect(editing.fileAttributes?.ids).toEqual(['7', '', ''])
-    expect(editing.fileAttributes?.collection).toBe('{"crs":{}}')
-    await editing.undo()
-    expect(values('fips')).toEqual(['2', '06037', ''])
-    await editing.undo()
-    expect(values('fips')).toEqual(['1003', '06037', ''])
-    await editing.redo()
-    expect(values('fips')).toEqual(['2', '06037', ''])
-    for (let k = 0; k < 3; k++) await editing.undo()
-    expect(values('n').sort()).toEqual(['', '12345678901234567890', '2.50'])
-    expect(editing.nameOf(0)).toBe('A')
-  })
-
-  it('are those of their circles after other ones were opened and undone: of old, new and removed ones', async () => {
-    const { editing } = await started()
-    const insert = (x: number) => editing.edit([{ kind: 'insert', circle: { x, y: 5, r: 1 } }])
-    const names = () =>
-      Array.from(editing.circles.ids(), (id) => `${editing.circles.get(id)?.x} ${textIn(editing.valueOf(id, 'fips'))}`)
-    await editing.edit([{ kind: 'remove', id: 1 }])
-    await insert(20)
-    await editing.setValues('fips', new Map([[3, '"new"']]))
-    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
-    await editing.undo()
-    expect(names()).toEqual(['0 01001', '0 06037', '20 new'])
-    // A new circle has no values of former ones.
-    await insert(30)
-    expect(names()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
-    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
-    await editing.undo()
-    expect(names()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
-    for (let k = 0; k < 3; k++) await editing.undo()
-    expect(names()).toEqual(['0 01001', '0 06037'])
-    await editing.undo()
-    expect(names()).toEqual(['0 01001', '9 1003', '0 06037'])
-    for (let k = 0; k < 4; k++) await editing.redo()
-    expect(names().sort()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
-  })
-
   it('are void for circles that have come since', async () => {
     const { editing } = await started()
     const [, set] = await Promise.all([editing.open(scene), editing.setValues('n', new Map([[0, '1']]))])

@@ -1,14 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The largest empty disc inside a region. tests/cpp/region_queries_test.cpp compares it with a search.
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { largestEmptyDiscInside } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 import { ring } from './shapes.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await loadRegions({ wasm })
+const { region } = await loadRegions()
 const ROOM = ring(0, 0, 6, 0, 6, 2, 2, 2, 2, 6, 0, 6)
 const square = (half: number): [number, number][] => [
   [-half, -half],

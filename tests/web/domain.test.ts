@@ -1,6 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Regions and areas: as text, on screen, under edits, in the history.
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { type DiagramBackend, Editing } from '../../web/editing/editing.ts'
 import { opened } from '../../web/element/data-of.ts'
@@ -26,8 +23,7 @@ import { library, seededRandom } from './library.ts'
 import { RecordingSink } from './recording-sink.ts'
 import { box, ring } from './shapes.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const regions = { ...(await loadRegions({ wasm })), fitted, fittedEdits }
+const regions = { ...(await loadRegions()), fitted, fittedEdits }
 
 const SQUARE: RegionShape = [box(0, 0, 8, 8)]
 const RINGS: RegionShape = [...SQUARE, ring(3, 3, 5, 3, 5, 6, 3, 5)]

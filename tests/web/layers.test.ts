@@ -2,14 +2,10 @@
 import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
-import { Editing } from '../../web/editing/editing.ts'
-import { circlesOfLink } from '../../web/editing/scene-link.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import { type Edit, type Float64s, mergeVertices, type PathSink } from '../../web/lib/index.ts'
-import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
-import { SceneBackend } from '../../web/picture/scene-backend.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import {
   checkedLayers,
@@ -76,46 +72,6 @@ describe('colors of which neighbors have different ones', () => {
     const picture = new Picture(library.edit(dataSet(name)))
     const coloring = new Coloring(picture.diagram)
     expectProper(picture, (i) => coloring.colorOf(idOf(picture.diagram, i)))
-  })
-
-  it('stay with their circles in links, and when undo opens former circles again', async () => {
-    const painted = () => {
-      const backend = new SceneBackend(library)
-      const editing = new Editing(
-        backend,
-        () => {},
-        (error) => {
-          throw error
-        },
-      )
-      const colors = () => {
-        const { picture } = backend.scene
-        return Array.from(backend.circles.ids(), (id) => picture.colorOf(picture.diagram.indexOf(id)))
-      }
-      return { backend, editing, colors }
-    }
-    const { backend, editing, colors } = painted()
-    const circles = randomCircles(60)
-    await editing.open({ circles, dataSet: 'sixty', isEdited: false })
-    expect(editing.colors).toBeUndefined()
-    for (let k = 0; k < 40; k++) await editing.edit(randomEdits(backend.circles.ids()))
-    const known = colors()
-    const fresh = painted()
-    await fresh.editing.open({ circles: backend.circles.circles(), dataSet: '', isEdited: false })
-    expect(fresh.colors()).not.toEqual(known)
-    const state = { ...circlesOfLink({ circles, dataSet: 'sixty', isEdited: false }, backend.circles, 100) }
-    expect(state.edits).toBeDefined()
-    const link = await decodeLink(await encodeLink({ ...state, colors: editing.colors }))
-    const other = painted()
-    await other.editing.open({ circles, dataSet: 'sixty', isEdited: false, colors: link.colors }, link.edits)
-    expect(other.colors()).toEqual(known)
-    await other.editing.open({ circles: randomCircles(9), dataSet: '', isEdited: false })
-    await other.editing.undo()
-    expect(other.colors()).toEqual(known)
-    // A new painting thread gets them with its circles.
-    const again = painted()
-    await again.backend.setCircles(backend.circles.circles(), { colors: editing.colors }, backend.circles.keptIds)
-    expect(again.colors()).toEqual(known)
   })
 
   it('stay with their circles in all edits, while other colors are shown, and in a box that repeats', () => {

@@ -1,6 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Clearest paths inside bounds and regions, against flooding on a grid.
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { type Circles, ConvexPolygon, clearestPath, type Diagram, type Point, pointAt } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
@@ -8,8 +5,7 @@ import { library, seededRandom } from './library.ts'
 import { box, ring } from './shapes.ts'
 import { tuple } from './tuples.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await loadRegions({ wasm })
+const { region } = await loadRegions()
 
 /** Robots in a field, after a report about a planner whose paths left the field. */
 const ROBOTS: Circles = [

@@ -58,19 +58,6 @@ describe('a session of a course', () => {
     expect(system.values['cmi.core.exit']).toBe('')
   })
 
-  it('goes on where it was, and takes no pass away', async () => {
-    const before = new System()
-    const first = new ScormSession(before, true)
-    await first.tell(told(false, [[1, 2, 3]]))
-    first.finish()
-    expect(before.values['cmi.core.exit']).toBe('suspend')
-    const again = new ScormSession(new System(before.values), true)
-    expect((await decodeLink(again.suspended)).circles).toEqual(Float64Array.of(1, 2, 3))
-    const passed = new System({ 'cmi.core.lesson_status': 'passed' })
-    new ScormSession(passed, true).finish()
-    expect(passed.values['cmi.core.lesson_status']).toBe('passed')
-  })
-
   it('is completed where there is nothing to pass, and keeps no circles that are too many', async () => {
     const system = new System()
     const session = new ScormSession(system, false)

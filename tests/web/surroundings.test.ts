@@ -4,9 +4,6 @@
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { whenIdle } from '../../web/element/idle.ts'
-import { watchVisibility } from '../../web/element/visibility.ts'
-import { parsedSvg } from '../../web/view/parsed-svg.ts'
-import { make } from './page-document.ts'
 
 let window: EventTarget
 let print: EventTarget & { matches: boolean }
@@ -65,60 +62,4 @@ describe('the wait for an idle browser', () => {
     vi.advanceTimersByTime(1)
     expect(calls).toEqual(['a', 'b'])
   })
-})
-
-it('an element is told that it comes near or goes far, by two observers for all, until it stops', () => {
-  const observers: { tell: (entries: unknown[]) => void; margin: string; seen: Set<unknown> }[] = []
-  vi.stubGlobal(
-    'IntersectionObserver',
-    class {
-      readonly seen = new Set<unknown>()
-      observe = (element: unknown) => this.seen.add(element)
-      unobserve = (element: unknown) => this.seen.delete(element)
-      constructor(tell: (entries: unknown[]) => void, { rootMargin }: { rootMargin: string }) {
-        observers.push({ tell, margin: rootMargin, seen: this.seen })
-      }
-    },
-  )
-  const [one, other] = [make('a'), make('b')]
-  const told: unknown[] = []
-  const stop = watchVisibility(one, (sight) => told.push(['one', sight]))
-  watchVisibility(other, (sight) => told.push(['other', sight]))
-  expect(observers.map(({ margin }) => margin)).toEqual(['25% 0px', '150% 0px'])
-  for (const { seen } of observers) expect(seen.size).toBe(2)
-  const both = (isIntersecting: boolean) => {
-    for (const { tell } of observers) tell([one, other].map((target) => ({ target, isIntersecting })))
-  }
-  both(true)
-  both(false)
-  expect(told.splice(0)).toEqual([
-    ['one', 'near'],
-    ['other', 'near'],
-    ['one', 'far'],
-    ['other', 'far'],
-  ])
-  stop()
-  for (const { seen } of observers) expect([...seen]).toEqual([other])
-  both(true)
-  expect(told).toEqual([['other', 'near']])
-})
-
-it('elements of an SVG are made from its text', () => {
-  const text =
-    '<svg xmlns="http://www.w3.org/2000/svg" width="2"><g a:b="1" c-d="2 3"><path d="M0 0"/><text> A </text></g> <path/></svg>'
-  const written = (node: Node): unknown =>
-    node instanceof Element
-      ? [
-          node.localName,
-          Object.fromEntries([...node.attributes].map(({ name, value }) => [name, value])),
-          ...[...node.childNodes].map(written),
-        ]
-      : node.textContent
-  expect(written(parsedSvg(text) as SVGElement)).toEqual([
-    'svg',
-    { width: '2' },
-    ['g', { 'a:b': '1', 'c-d': '2 3' }, ['path', { d: 'M0 0' }], ['text', {}, ' A ']],
-    ['path', {}],
-  ])
-  expect(parsedSvg('')).toBeUndefined()
 })
