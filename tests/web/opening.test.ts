@@ -121,18 +121,6 @@ describe('what is opened', () => {
     await open(THREE)
     expect(page.store.get().step).toBeUndefined()
   })
-
-  it('as a family is seen as a whole, and is another sample when it is asked for again', async () => {
-    await page.actions.generate({ kind: 'family', family: 'grid', seed: 5, count: 31 })
-    await quiet()
-    expect([page.store.get().dataSet, page.actions.isWhole, page.editing.circles.count]).toEqual([
-      'grid:5:31',
-      true,
-      31,
-    ])
-    await page.actions.generateAgain()
-    expect(page.store.get().dataSet).toMatch(/^grid:(?!5:)\d+:31$/)
-  })
 })
 
 describe('a link that is opened', () => {
