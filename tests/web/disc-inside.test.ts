@@ -23,11 +23,7 @@ describe('the largest empty disc inside a region', () => {
 
   it('keeps away from circles and islands', () => {
     const ring = region([square(4), square(1)])
-    const circles = [
-      [-2.5, -2.5, 0],
-      [2.5, -2.5, 0],
-      [-2.5, 2.5, 0],
-    ] as [number, number, number][]
+    const circles = Float64Array.of(-2.5, -2.5, 0, 2.5, -2.5, 0, -2.5, 2.5, 0)
     const found = largestEmptyDiscInside(library.compute(circles), { region: ring })
     expect(found?.disc.r).toBeCloseTo((3 * Math.SQRT2) / (1 + Math.SQRT2), 13)
     expect(found?.disc.x).toBeGreaterThan(0)

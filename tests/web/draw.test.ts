@@ -229,11 +229,7 @@ describe('an SVG path', () => {
   })
 
   it('has nothing of a drawing that an error ended', () => {
-    const diagram = library.compute([
-      [0, 0, 1],
-      [6, 0, 1],
-      [0, 8, 1],
-    ])
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
     const text = diagram.render()
     const edges = new Proxy(diagram.edges, {
       get(target, key) {

@@ -76,19 +76,11 @@ describe('a maximum distance', () => {
   })
 
   it('leaves the neighbors that share a part of an edge within it, each once', () => {
-    const corner = library.compute([
-      [0, 0, 1],
-      [10, 0, 1],
-      [0, 14, 1],
-    ])
+    const corner = library.compute(Float64Array.of(0, 0, 1, 10, 0, 1, 0, 14, 1))
     expect([...corner.neighbors(0, { maxDistance: 3 })]).toEqual([])
     expect([...corner.neighbors(0, { maxDistance: 5 })]).toEqual([1])
     // The first two share an edge on either side of the third.
-    const between = library.compute([
-      [-5, 0, 4],
-      [5, 0, 4],
-      [0, 0, 0.5],
-    ])
+    const between = library.compute(Float64Array.of(-5, 0, 4, 5, 0, 4, 0, 0, 0.5))
     expect([...between.neighbors(0, { bounds: [-20, -20, 20, 20] })].sort()).toEqual([1, 2])
   })
 

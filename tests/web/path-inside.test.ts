@@ -259,16 +259,7 @@ describe('a clearest path in a region', () => {
 describe('a clearest path among ties', () => {
   it('starts at a corner on a bisector, at a center on the border and beside a notch', () => {
     const cases: [Circles, [number, number][], Point, Point, number][] = [
-      [
-        [
-          [0, 0, 0],
-          [0, 2, 0],
-        ],
-        ring(0, 1, 1, 1, 1, 2, 0, 2),
-        { x: 0, y: 1 },
-        { x: 1, y: 2 },
-        1,
-      ],
+      [Float64Array.of(0, 0, 0, 0, 2, 0), ring(0, 1, 1, 1, 1, 2, 0, 2), { x: 0, y: 1 }, { x: 1, y: 2 }, 1],
       [[[1, 1, 0]], ring(0, 0, 1, 0, 1, 1, 0, 1), { x: 1, y: 1 }, { x: 0, y: 0 }, 0],
       [[[1, 2, 0]], ring(0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3), { x: 1, y: 2 }, { x: 2.5, y: 2.5 }, 0],
     ]
@@ -279,10 +270,7 @@ describe('a clearest path among ties', () => {
       expectPath(diagram, p, q, path, ({ x, y }) => room.contains(x, y))
       expect(path?.clearance).toBe(clearance)
     }
-    const two = library.compute([
-      [0, 0, 0],
-      [0, 2, 0],
-    ])
+    const two = library.compute(Float64Array.of(0, 0, 0, 0, 2, 0))
     const path = clearestPath(two, { x: 0, y: 1 }, { x: 1, y: 2 }, { bounds: [0, 1, 1, 2] })
     expectPath(two, { x: 0, y: 1 }, { x: 1, y: 2 }, path, ({ x, y }) => 0 <= x && x <= 1 && 1 <= y && y <= 2)
     expect(path?.clearance).toBe(1)

@@ -118,13 +118,7 @@ describe('a periodic diagram', () => {
   })
 
   it('has the contacts of a packing, also as CSV', () => {
-    const periodic = library.computePeriodic(
-      [
-        [0, 0, 0.4],
-        [1, 0, 0.4],
-      ],
-      { a: [2, 0], b: [0, 1] },
-    )
+    const periodic = library.computePeriodic(Float64Array.of(0, 0, 0.4, 1, 0, 0.4), { a: [2, 0], b: [0, 1] })
     const { contacts, lengths, gaps, areas, packingFractions } = periodic.contacts()
     expect([...areas].map((area) => area.toFixed(12))).toEqual(['1.000000000000', '1.000000000000'])
     for (const fraction of packingFractions) expect(fraction).toBeCloseTo(Math.PI * 0.16, 12)
@@ -180,13 +174,7 @@ describe('a periodic diagram', () => {
     expect(areas[3]).toBe(0)
     // Two discs of radius 4 at distance 6 cover a lens twice.
     const overlapping = library
-      .computePeriodic(
-        [
-          [0, 0, 4],
-          [6, 0, 4],
-        ],
-        { a: [40, 0], b: [0, 40] },
-      )
+      .computePeriodic(Float64Array.of(0, 0, 4, 6, 0, 4), { a: [40, 0], b: [0, 40] })
       .contacts()
     const half = 16 * Math.PI - (16 * Math.acos(0.75) - 3 * Math.sqrt(7))
     for (const fraction of overlapping.packingFractions) expect(fraction).toBeCloseTo(half / 800, 9)
