@@ -50,6 +50,14 @@ function randomCircles(count: number): Float64s {
   return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.9 * random() ** 3 : 20 * random()))
 }
 
+/** A scene of the painting thread, with further layers. */
+function sceneOf(circles: Float64s, layers: Partial<Layers> = {}): PaintedScene {
+  const scene = new PaintedScene(library)
+  scene.open(circles)
+  scene.setLayers({ ...DEFAULT_LAYERS, ...layers })
+  return scene
+}
+
 function randomEdits(ids: ArrayLike<number>): Edit[] {
   const id = ids[Math.floor(random() * ids.length)] as number
   const circle = { x: 20 * random(), y: 20 * random(), r: random() ** 4 * 4 }
@@ -75,9 +83,7 @@ describe('colors of which neighbors have different ones', () => {
   })
 
   it('stay with their circles in all edits, while other colors are shown, and in a box that repeats', () => {
-    const scene = new PaintedScene(library)
-    scene.open(randomCircles(150))
-    scene.setLayers({ ...DEFAULT_LAYERS, cells: 'different' })
+    const scene = sceneOf(randomCircles(150), { cells: 'different' })
     const colorsOf = ({ editor, diagram, colorOf }: Picture) =>
       new Map(Array.from(editor.ids(), (id) => [id, colorOf.call(scene.picture, diagram.indexOf(id))]))
     const known = colorsOf(scene.picture)
@@ -100,7 +106,6 @@ describe('colors of which neighbors have different ones', () => {
     expectKept()
     scene.edit([], { lattice: null })
     expectKept()
-    scene.dispose()
   })
 
   it('are given to new circles so that they differ from their neighbors', () => {
@@ -117,9 +122,7 @@ describe('colors of which neighbors have different ones', () => {
 
   it('come back with circles that undo restores', () => {
     const circles = randomCircles(40)
-    const scene = new PaintedScene(library)
-    scene.open(circles)
-    scene.setLayers({ ...DEFAULT_LAYERS, cells: 'different' })
+    const scene = sceneOf(circles, { cells: 'different' })
     const table = new CircleTable(Float64Array.from(circles))
     const colorOf = (id: number) => scene.picture.colorOf(scene.picture.diagram.indexOf(id))
     for (const id of [3, 17, 29]) {
@@ -132,7 +135,6 @@ describe('colors of which neighbors have different ones', () => {
       expect(change.inserted).toHaveLength(1)
       expect(colorOf(at(change.inserted, 0)), `circle ${id}`).toBe(color)
     }
-    scene.dispose()
   })
 })
 
@@ -352,9 +354,7 @@ describe('the power diagram', () => {
       now += step
       return now
     })
-    const scene = new PaintedScene(library)
-    scene.open(randomCircles(40))
-    scene.setLayers({ ...DEFAULT_LAYERS, power: true })
+    const scene = sceneOf(randomCircles(40), { power: true })
     scene.edit([{ kind: 'remove', id: 0 }])
     expect(scene.isPowerMissing).toBe(true)
     scene.addPower(comparison)
@@ -564,8 +564,7 @@ describe('what the touching disc method finds', () => {
   })
 
   it('is computed anew with other candidates or samples, and kept with the same ones while it is shown', () => {
-    const scene = new PaintedScene(library)
-    scene.open(randomCircles(30))
+    const scene = sceneOf(randomCircles(30))
     const now = (layers: Partial<Layers>) => {
       scene.setLayers({ ...DEFAULT_LAYERS, ...layers })
       const isMissing = scene.isMethodMissing
@@ -582,7 +581,6 @@ describe('what the touching disc method finds', () => {
     expect(now({ samples: true, candidates: 'uniform', sampleCount: 5 })).toEqual([true, 5 * visible])
     expect(now({ samples: true, candidates: 'uniform' })).toEqual([true, 50 * visible])
     expect(now({})).toEqual([false, undefined])
-    scene.dispose()
   })
 
   it('is told apart from what is wrong, by circles and ends', () => {
@@ -675,9 +673,8 @@ it.each([
 })
 
 it('a neighbor with whom a cell shares two edges is counted once, by facts, tables, colors and descriptions', () => {
-  const scene = new PaintedScene(library)
   // The small circle is between the large ones.
-  scene.open(Float64Array.of(0, 0, 4, 10, 0, 4, 5, 0, 0.5))
+  const scene = sceneOf(Float64Array.of(0, 0, 4, 10, 0, 4, 5, 0, 0.5))
   const { picture } = scene
   expect([...picture.diagram.neighbors(0)].sort()).toEqual([1, 1, 2])
   const told = factsOf(picture, scene.counts(), [0, 2]).cells
@@ -686,7 +683,6 @@ it('a neighbor with whom a cell shares two edges is counted once, by facts, tabl
   expect([...(tabulated(picture, ['degree'], Int32Array.of(0, 1, 2)).columns[0] as Float64Array)]).toEqual([2, 2, 2])
   expect([0, 1, 2].map((i) => new Measures('degree', picture.diagram).valueOf(i))).toEqual([2, 2, 2])
   expect([...(scene.mark(0, undefined).selected?.neighbors ?? [])].sort()).toEqual([1, 2])
-  scene.dispose()
 })
 
 describe('layers that are kept', () => {
@@ -722,8 +718,7 @@ describe('layers that are kept', () => {
 })
 
 it('lines from hidden circles end on the rim of what hides them, and do not meet', () => {
-  const scene = new PaintedScene(library)
-  scene.open(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 30, 0, 1))
+  const scene = sceneOf(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 30, 0, 1))
   const only = { circles: false, cells: 'none', edges: false, vertices: false, hidden: true } as const
   scene.setLayers({ ...DEFAULT_LAYERS, ...only })
   const lines = () => {
@@ -739,8 +734,7 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
 })
 
 it('marks are none of circles that were opened since, and results are found anew for another scale', () => {
-  const scene = new PaintedScene(library)
-  scene.open(Float64Array.of(0, 0, 1, 9, 0, 1))
+  const scene = sceneOf(Float64Array.of(0, 0, 1, 9, 0, 1))
   expect([scene.mark(0, 1).selected?.id, scene.marks().hovered?.id, scene.isAnythingMarked]).toEqual([0, 1, true])
   scene.open(Float64Array.of(0, 0, 1, 9, 0, 1))
   expect([scene.marks(), scene.isAnythingMarked]).toEqual([{ selected: undefined, hovered: undefined }, false])
@@ -776,7 +770,6 @@ it('marks are none of circles that were opened since, and results are found anew
     const steps = new Set(selected?.neighbors.map((id, k, ring) => ((ring[k + 1] ?? 1) - id + count) % count))
     expect([selected?.neighbors[0], steps.size]).toEqual([1, 1])
   }
-  scene.dispose()
 })
 
 it('colors are told once after each change', () => {
@@ -814,8 +807,7 @@ it('stars and areas are those of the circles and the region that are there', asy
 })
 
 it('data of clients are where they say, in pixels of the screen, and those elsewhere are left out', () => {
-  const scene = new PaintedScene(library)
-  scene.open(Float64Array.of(0, 0, 1, 10, 0, 1))
+  const scene = sceneOf(Float64Array.of(0, 0, 1, 10, 0, 1))
   const data = [
     {
       id: 'own',
@@ -852,7 +844,6 @@ it('data of clients are where they say, in pixels of the screen, and those elsew
     expect([(left + right) / 2, (top + bottom) / 2]).toEqual([100 * pixelRatio, 30 * pixelRatio])
     expect([right - left, width]).toEqual([expect.closeTo(5 * pixelRatio, 3), expect.closeTo(1.25 * pixelRatio, 3)])
   }
-  scene.dispose()
 })
 
 it('of the layers, those that depend on all circles are the hull, the largest disc, the path and the method', () => {
@@ -871,8 +862,7 @@ it.each([
   { missedEdges: true, samples: true, sampleGraph: true, directedEdges: true },
   { data: [{ id: 'own', color: 'teal', points: Float64Array.of(1, 1), segments: Float64Array.of(0, 0, 1, 3) }] },
 ])('lines, dashes and dots have twice as many pixels on a screen of twice the resolution: %o', (layers) => {
-  const scene = new PaintedScene(library)
-  scene.open(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 12, 0, 1, 3, 11, 2, -9, 4, 1.5, 2, -10, 0.5))
+  const scene = sceneOf(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 12, 0, 1, 3, 11, 2, -9, 4, 1.5, 2, -10, 0.5))
   scene.setLayers({ ...DEFAULT_LAYERS, ...layers } as Layers)
   if (scene.isPowerMissing) scene.addPower(comparison)
   if (scene.isMethodMissing) scene.addMethod()

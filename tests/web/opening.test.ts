@@ -97,17 +97,6 @@ describe('what is opened', () => {
     expect([await third, circles()]).toEqual(['superseded', [...THREE]])
   })
 
-  it('forgets the layers that name places among the former circles, and has the path across the picture', async () => {
-    const path = { from: { x: 1, y: 1 }, to: { x: 2, y: 2 } }
-    page.view.setLayers({ path, nearZero: 1, maxDistance: 2, hull: true })
-    await open([50, 50, 1, 90, 50, 2])
-    expect(page.view.layers).toMatchObject({ hull: true, nearZero: undefined, maxDistance: undefined })
-    expect(page.view.layers.path).toEqual(page.actions.pathAcross())
-    page.view.setLayers({ path: undefined })
-    await open(THREE)
-    expect(page.view.layers.path).toBeUndefined()
-  })
-
   it('ends the selection, the tool and the problem, and shows the method from its first step', async () => {
     page.actions.select([1, 2])
     page.actions.useTool('add')

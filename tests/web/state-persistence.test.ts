@@ -88,26 +88,8 @@ describe('names of circles', () => {
         (await loadDataSet(nameOf(recipe), async (asked) => Float64Array.of(JSON.stringify(asked).length))).circles,
       ).toEqual(Float64Array.of(JSON.stringify(recipe).length))
     }
-    const wrong = [
-      'grid:1:1000001',
-      'grid:1:0',
-      'grid:9007199254740992:5',
-      'grid:1',
-      'grid:1:2:3',
-      'Grid:1:2',
-      'grid:-1:2',
-    ]
-    const others = [
-      '',
-      'random',
-      'random:',
-      'random:17',
-      'spruces:1',
-      '../spruces',
-      '__proto__',
-      'figure-',
-      'figure-../6',
-    ]
+    const wrong = 'grid:1:1000001 grid:1:0 grid:9007199254740992:5 grid:1 grid:1:2:3 Grid:1:2 grid:-1:2'.split(' ')
+    const others = ' random random: random:17 spruces:1 ../spruces __proto__ figure- figure-../6'.split(' ')
     for (const name of [...wrong, ...others]) {
       expect(sourceOf(name), name).toBeUndefined()
       expect(dataSetOf(name), name).toBeUndefined()
