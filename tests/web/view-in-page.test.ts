@@ -6,6 +6,7 @@ import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { mount } from '../../web/view/mount.ts'
 import type { View } from '../../web/view/view.ts'
 import { held } from './element-page.ts'
+import { draws } from './page-canvas.ts'
 import { make, measure } from './page-document.ts'
 import { quiet, soon, surround } from './whole-page.ts'
 
@@ -39,6 +40,33 @@ function heard(name: Parameters<View['on']>[0]) {
   view.on(name, (event) => told.push(event))
   return told
 }
+
+it.each<[string, () => unknown, () => unknown]>([
+  [
+    'a band',
+    () => Object.assign(view, { band: { from: { x: 1, y: 1 }, to: { x: 9, y: 9 } } }),
+    () => Object.assign(view, { band: undefined }),
+  ],
+  [
+    'a sketch',
+    () => Object.assign(view, { sketch: Float64Array.of(0, 0, 9, 9) }),
+    () => Object.assign(view, { sketch: undefined }),
+  ],
+  ['a name', () => view.setIdentities([{ id: 0, text: 'A' }], undefined), () => view.setIdentities([], undefined)],
+  ['a highlight', () => view.select(1), () => view.select(undefined)],
+])('%s is drawn above the picture with the next frame, and gone once it is taken away', async (_, show, hide) => {
+  const overlay = canvases()[1] as HTMLCanvasElement
+  draws.delete(overlay)
+  show()
+  await quiet()
+  expect(draws.get(overlay)).toBeGreaterThan(0)
+  hide()
+  await quiet()
+  draws.delete(overlay)
+  view.setCamera({ x: 6, y: 4, scale: 4 })
+  await quiet()
+  expect(draws.get(overlay)).toBeUndefined()
+})
 
 describe('a view tells', () => {
   it('of the newest circle that is tried, and once where there is none any more', async () => {
