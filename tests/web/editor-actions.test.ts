@@ -225,23 +225,6 @@ describe('undo and redo', () => {
     await actions.redo()
     expect(selection()).toEqual([])
   })
-
-  it('show all circles where they move into a box or back', async () => {
-    const { actions, fake } = await started()
-    await actions.setDomain({ lattice: { a: [40, 0], b: [0, 40] } })
-    for (const [go, x, y] of [
-      [() => actions.undo(), 4.5, 10.5],
-      [() => actions.redo(), 20, 20],
-    ] as const) {
-      fake.camera = { x: 700, y: 0, scale: 1 }
-      await go()
-      expect([fake.camera.x, fake.camera.y]).toEqual([x, y])
-    }
-    await actions.setDomain({ areas: 'equal' })
-    fake.camera = { x: 700, y: 0, scale: 1 }
-    await actions.undo()
-    expect(fake.camera.x, 'the box is the same').toBe(700)
-  })
 })
 
 it('actions are pending until all of them are done', async () => {

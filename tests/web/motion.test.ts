@@ -146,11 +146,4 @@ describe('a video', () => {
     expect(stopped).toEqual(['recorder', 'track 1', 'track 2'])
     expect(made).toEqual([[stream, { mimeType, videoBitsPerSecond: 8_000_000 }]])
   })
-
-  it('is refused where the browser writes none', async () => {
-    recorder([])
-    await expect(filmed(stream, 3)).rejects.toThrow()
-    vi.stubGlobal('MediaRecorder', undefined)
-    await expect(filmed(stream, 3)).rejects.toThrow()
-  })
 })

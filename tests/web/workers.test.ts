@@ -299,12 +299,4 @@ describe('a worker', () => {
     }
     expect(ThreadHere.running.size).toBe(0)
   })
-
-  it('removes its listeners from signals', async () => {
-    using worker = createWorker()
-    const { signal } = new AbortController()
-    const [add, remove] = [vi.spyOn(signal, 'addEventListener'), vi.spyOn(signal, 'removeEventListener')]
-    await worker.compute(THREE, { signal })
-    expect(remove.mock.calls).toEqual(add.mock.calls)
-  })
 })

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Services that all figures of a page share: the wait for an idle browser, observers of positions, and drawings for
-// print.
+// The wait of figures for an idle browser.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { whenIdle } from '../../web/element/idle.ts'
 
 let window: EventTarget
-let print: EventTarget & { matches: boolean }
 beforeEach(() => {
   window = new EventTarget()
-  print = Object.assign(new EventTarget(), { matches: false })
   vi.stubGlobal('addEventListener', window.addEventListener.bind(window))
-  vi.stubGlobal('matchMedia', () => print)
 })
 afterEach(() => {
   vi.useRealTimers()
