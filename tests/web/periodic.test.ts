@@ -124,16 +124,8 @@ describe('a periodic diagram', () => {
     for (const fraction of packingFractions) expect(fraction).toBeCloseTo(Math.PI * 0.16, 12)
     const long = [...lengths.keys()].filter((k) => (lengths[k] as number) > 0.5)
     expect(long.map((k) => (gaps[k] as number).toFixed(9))).toEqual(Array(8).fill('0.200000000'))
-    expect(long.map((k) => [...contacts.subarray(4 * k, 4 * k + 4)].join()).sort()).toEqual([
-      '0,0,0,-1',
-      '0,0,0,1',
-      '0,1,-1,0',
-      '0,1,0,0',
-      '1,0,0,0',
-      '1,0,1,0',
-      '1,1,0,-1',
-      '1,1,0,1',
-    ])
+    const found = long.map((k) => [...contacts.subarray(4 * k, 4 * k + 4)].join()).sort()
+    expect(found.join(' ')).toBe('0,0,0,-1 0,0,0,1 0,1,-1,0 0,1,0,0 1,0,0,0 1,0,1,0 1,1,0,-1 1,1,0,1')
     const [header, ...lines] = periodic.contactsCsv().trimEnd().split('\n') as [string, ...string[]]
     expect(header).toBe('circle,neighbor,shift_a,shift_b,length,gap,area,packing_fraction')
     expect(lines).toHaveLength(lengths.length)
