@@ -291,7 +291,7 @@ describe('a history', () => {
     },
     { weight: 4, arbitrary: fc.constantFrom('undo' as const, 'undo' as const, 'redo' as const, 'cancel' as const) },
     fc.constant('wait' as const),
-    fc.record({ named: fc.nat(4) }),
+    { weight: 2, arbitrary: fc.record({ named: fc.nat(2) }) },
     {
       weight: 2,
       arbitrary: fc.record({ open: fc.array(circle, { maxLength: 3 }), edits: fc.array(edit, { maxLength: 1 }) }),
@@ -309,12 +309,15 @@ describe('a history', () => {
         const model = new Model(two)
         const asked: Promise<unknown>[] = []
         let gesture = editing.beginGesture()
-        const check = async () => {
-          await Promise.all(asked.splice(0))
+        const expectSeen = () => {
           const ids = [...editing.circles.ids()]
           expect(ids).toEqual([...model.seen.circles.keys()].sort((a, b) => a - b))
           expect(ids.map((id) => editing.circles.get(id))).toEqual(ids.map((id) => model.seen.circles.get(id)))
           expect(ids.map((id) => editing.valueOf(id, 'name'))).toEqual(ids.map((id) => model.seen.names.get(id) ?? ''))
+        }
+        const check = async () => {
+          await Promise.all(asked.splice(0))
+          expectSeen()
           const { name, isEdited } = model.seen.scene
           expect(editing.scene).toMatchObject({ dataSet: name, isEdited })
           expect(editing.past.history.done).toHaveLength(model.done.length)
@@ -351,12 +354,11 @@ describe('a history', () => {
           }
         }
         await check()
-        const end = model.seen
         const count = model.done.length
         for (let k = 0; k <= count; k++) await editing.undo()
         expect([...editing.circles.circles()]).toEqual([...TWO])
         for (let k = 0; k < count; k++) await editing.redo()
-        expect([...editing.circles.ids()]).toEqual([...end.circles.keys()].sort((a, b) => a - b))
+        expectSeen()
         expect(problems.every((problem) => problem.length > 0)).toBe(true)
       }),
       { numRuns: 60 },
