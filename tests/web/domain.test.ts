@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest'
 import { Editing } from '../../web/editing/editing.ts'
 import { opened } from '../../web/element/data-of.ts'
-import type { Circle, Diagram, Edit, Point } from '../../web/lib/index.ts'
+import type { Circle, Diagram, Edit } from '../../web/lib/index.ts'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { SceneBackend } from '../../web/picture/scene-backend.ts'
@@ -19,7 +19,7 @@ import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { isRegionText, readRegion } from '../../web/view/region-text.ts'
 import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
-import { RecordingSink } from './recording-sink.ts'
+import { RecordingSink, windingOf } from './recording-sink.ts'
 import { box, ring } from './shapes.ts'
 
 const regions = { ...(await loadRegions()), fitted, fittedEdits }
@@ -97,14 +97,7 @@ describe('a region on the screen', () => {
   const turns = (add: (sink: RecordingSink) => void, x: number, y: number) => {
     const sink = new RecordingSink(1)
     add(sink)
-    let count = 0
-    for (const ring of sink.strokes) {
-      ring.forEach(({ x: x1, y: y1 }, k) => {
-        const { x: x0, y: y0 } = ring.at(k - 1) as Point
-        if (y0 > y !== y1 > y && x < x0 + ((y - y0) / (y1 - y0)) * (x1 - x0)) count += y1 > y0 ? 1 : -1
-      })
-    }
-    return count
+    return sink.strokes.reduce((count, ring) => count + windingOf(ring, { x, y }), 0)
   }
 
   it.each([

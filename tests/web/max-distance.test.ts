@@ -3,12 +3,12 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
-import { type Box, type Diagram, NONE, REGION_LIMIT } from '../../web/lib/index.ts'
+import { type Box, type Diagram, NONE, type Point, REGION_LIMIT } from '../../web/lib/index.ts'
 import { outlineArea } from '../../web/lib/regions/measure.ts'
 import { anyCircles, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf, signedDistance } from './oracle.ts'
-import { doubleArea, RecordingSink } from './recording-sink.ts'
+import { doubleArea, RecordingSink, windingOf } from './recording-sink.ts'
 
 const ROWS = 4000
 
@@ -34,17 +34,8 @@ function unionArea(circles: Float64Array, more: number, { minX, minY, maxX, maxY
 }
 
 /** The winding number of a path around a point. */
-function windings(sink: RecordingSink, { x, y }: { x: number; y: number }): number {
-  let count = 0
-  for (const stroke of sink.strokes) {
-    stroke.forEach((b, k) => {
-      const a = stroke[k - 1]
-      if (a === undefined || a.y <= y === b.y <= y) return
-      const side = (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)
-      if (side > 0 === b.y > a.y) count += b.y > a.y ? 1 : -1
-    })
-  }
-  return count
+function windings({ strokes }: RecordingSink, point: Point): number {
+  return strokes.reduce((count, stroke) => count + windingOf(stroke, point), 0)
 }
 
 function cellsOf(diagram: Diagram): number[] {
