@@ -4,7 +4,7 @@ import { describe, expect, it, vi } from 'vitest'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { loadComparison } from '../../web/lib/comparison.ts'
-import { type Diagram, type Edit, type Float64s, mergeVertices, type PathSink } from '../../web/lib/index.ts'
+import { circleAt, type Diagram, type Edit, type Float64s, mergeVertices, type PathSink } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import {
@@ -40,6 +40,7 @@ import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
+import { leastDistance, signedDistance } from './oracle.ts'
 import { RecordingSink } from './recording-sink.ts'
 import { box } from './shapes.ts'
 
@@ -214,11 +215,8 @@ describe('what cells are measured by', () => {
       let least = Number.POSITIVE_INFINITY
       for (let j = 0; j < 200; j++) {
         if (j === i || !diagram.cells.exists(j)) continue
-        const distance = Math.hypot(
-          at(circles, 3 * i) - at(circles, 3 * j),
-          at(circles, 3 * i + 1) - at(circles, 3 * j + 1),
-        )
-        least = Math.min(least, distance - at(circles, 3 * i + 2) - at(circles, 3 * j + 2))
+        const center = circleAt(circles, i)
+        least = Math.min(least, signedDistance(circles, j, center) - center.r)
       }
       expect(measures.valueOf(i)).toBeCloseTo(least, 9)
     }
@@ -450,11 +448,7 @@ describe('the disc at a point', () => {
       for (const point of points) {
         expect(Math.hypot(point.x - disc.x, point.y - disc.y)).toBeCloseTo(Math.abs(disc.r), 7)
       }
-      for (let i = 0; i < 80; i++) {
-        const r = at(diagram.circles, 3 * i + 2)
-        const distance = Math.hypot(at(diagram.circles, 3 * i) - disc.x, at(diagram.circles, 3 * i + 1) - disc.y)
-        expect(distance - r).toBeGreaterThan(disc.r - 1e-7)
-      }
+      expect(leastDistance(diagram.circles, disc)).toBeGreaterThan(disc.r - 1e-7)
     }
     expect(discs).toBeGreaterThan(100)
   })
@@ -478,15 +472,9 @@ describe('what depends on all circles', () => {
       expect([...outline.slice(0, 3)]).toEqual([0, from.x, from.y])
       expect([...outline.slice(-3)]).toEqual([1, to.x, to.y])
       const { circles } = picture.diagram
-      let least = Number.POSITIVE_INFINITY
       const sink = new RecordingSink()
       replay(outline, sink)
-      for (const { x, y } of sink.points) {
-        for (let i = 0; i < 30; i++) {
-          const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y) - at(circles, 3 * i + 2)
-          least = Math.min(least, distance)
-        }
-      }
+      const least = Math.min(...sink.points.map((point) => leastDistance(circles, point)))
       expect(least, `round ${round}`).toBeGreaterThan(clearance - 1e-3)
     }
   })
@@ -506,11 +494,7 @@ describe('what the touching disc method makes on its way', () => {
     const diagram = library.compute(circles)
     const { hull, hidden } = diagram
     const [samples, graph, antipodal, directed] = methodResult(library, diagram, DEFAULT_LAYERS).data
-    const gapsAt = (x: number, y: number) =>
-      Array.from({ length: 60 }, (_, i) => {
-        const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y)
-        return distance - at(circles, 3 * i + 2)
-      })
+    const gapsAt = (x: number, y: number) => Array.from({ length: 60 }, (_, i) => signedDistance(circles, i, { x, y }))
     const points = samples?.points as Float64Array
     // Hidden circles are removed first.
     const visible = Array.from({ length: 60 }, (_, i) => i).filter((i) => diagram.cells.exists(i))

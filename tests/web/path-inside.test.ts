@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest'
 import { type Circles, ConvexPolygon, clearestPath, type Diagram, type Point, pointAt } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
+import { leastDistance } from './oracle.ts'
 import { box, ring } from './shapes.ts'
-import { tuple } from './tuples.ts'
 
 const { region } = await loadRegions()
 
@@ -18,15 +18,6 @@ const ROBOTS: Circles = [
 ]
 const FIELD = [-4, -2, 4, 2] as const
 const ROOM = ring(0, 0, 6, 0, 6, 2, 2, 2, 2, 6, 0, 6)
-
-function leastDistance({ circles }: Diagram, { x, y }: Point): number {
-  let least = Infinity
-  for (let i = 0; i < circles.length; i += 3) {
-    const [cx, cy, r] = tuple(circles, i, 3)
-    least = Math.min(least, Math.hypot(x - cx, y - cy) - r)
-  }
-  return least
-}
 
 /** Sample points along a path. */
 function pointsOf(path: NonNullable<ReturnType<typeof clearestPath>>): Point[] {
@@ -49,7 +40,7 @@ function flooded(diagram: Diagram, contains: (p: Point) => boolean, size: number
   })
   const clearances = Array.from({ length: count * count }, (_, k) => {
     const place = placeOf(k)
-    return contains(place) ? leastDistance(diagram, place) : -Infinity
+    return contains(place) ? leastDistance(diagram.circles, place) : -Infinity
   })
   const nearest = (point: Point) => {
     let best = -1
@@ -107,7 +98,7 @@ function expectPath(
     const isInside = [0, 1e-9, -1e-9].some((dx) => [0, 1e-9, -1e-9].some((dy) => contains({ x: x + dx, y: y + dy })))
     expect(isInside, `(${x}, ${y})`).toBe(true)
   }
-  const least = Math.min(...points.map((point) => leastDistance(diagram, point)))
+  const least = Math.min(...points.map((point) => leastDistance(diagram.circles, point)))
   expect(least, JSON.stringify({ circles: [...diagram.circles], p, q })).toBeGreaterThanOrEqual(path.clearance - 1e-9)
 }
 
