@@ -289,14 +289,4 @@ describe('a worker', () => {
     const refused = outcomeOf(() => worker.fitAreas([[5, 1]], [1], { region: foreign }))
     expect(await refused).toMatchObject({ code: 'badOption' })
   })
-
-  it('makes nothing once it was disposed of, also while its module comes', async () => {
-    const worker = createWorker()
-    const before = [outcomeOf(() => worker.edit(THREE)), outcomeOf(() => worker.compute(THREE))]
-    worker.dispose()
-    for (const outcome of [...before, outcomeOf(() => worker.edit(THREE))]) {
-      expect(await outcome).toMatchObject({ name: 'AbortError' })
-    }
-    expect(ThreadHere.running.size).toBe(0)
-  })
 })
