@@ -127,32 +127,23 @@ describe('names of circles', () => {
 const linksOf = (linkOf: () => Promise<string>) => Object.assign(new LinkWriter(new FilesClient()), { linkOf })
 
 /** A storage with room for a number of characters. */
-class Room implements Storage {
-  readonly #items = new Map<string, string>()
+class Room extends Map<string, string> implements Storage {
   readonly #letters: number
   constructor(letters = Number.POSITIVE_INFINITY) {
+    super()
     this.#letters = letters
   }
   get length() {
-    return this.#items.size
+    return this.size
   }
-  key(k: number) {
-    return [...this.#items.keys()][k] ?? null
-  }
-  getItem(key: string) {
-    return this.#items.get(key) ?? null
-  }
-  removeItem(key: string) {
-    this.#items.delete(key)
-  }
+  key = (k: number) => [...this.keys()][k] ?? null
+  getItem = (key: string) => this.get(key) ?? null
+  removeItem = (key: string) => void this.delete(key)
   setItem(key: string, value: string) {
-    const others = [...this.#items].filter(([name]) => name !== key)
+    const others = [...this].filter(([name]) => name !== key)
     if (others.join('').length + key.length + value.length > this.#letters)
       throw new DOMException('', 'QuotaExceededError')
-    this.#items.set(key, value)
-  }
-  clear() {
-    this.#items.clear()
+    this.set(key, value)
   }
 }
 
