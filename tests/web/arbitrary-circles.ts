@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random circles for property tests, each kind named for what it shows.
 import fc from 'fast-check'
+import type { Edit } from '../../web/lib/index.ts'
 
 type Circle = readonly [number, number, number]
 
@@ -91,3 +92,19 @@ export const circlePair: fc.Arbitrary<Float64Array> = fc
     const right = smaller + Math.max(0, -lean) * distance
     return Float64Array.of(x, y, left, x + distance * Math.cos(7 * turn), y + distance * Math.sin(7 * turn), right)
   })
+
+/** An action of a script, which is told apart from others by its kind. */
+export function action<Kind extends string, More extends object = object>(
+  kind: Kind,
+  more: { [Name in keyof More]: fc.Arbitrary<More[Name]> } = {} as never,
+): fc.Arbitrary<{ kind: Kind } & More> {
+  return fc.record({ kind: fc.constant(kind), ...more }) as fc.Arbitrary<{ kind: Kind } & More>
+}
+
+/** Edits of circles, of which some may have no circle. */
+export function editOf<Circle extends Extract<Edit, { kind: 'insert' }>['circle']>(
+  circle: fc.Arbitrary<Circle>,
+  id: fc.Arbitrary<number> = fc.nat(9),
+): fc.Arbitrary<Edit> {
+  return fc.oneof(action('insert', { circle }), action('remove', { id }), action('replace', { id, circle }))
+}

@@ -3,31 +3,25 @@
 import { describe, expect, it, vi } from 'vitest'
 import { cellValues } from '../../web/app/cell-values.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
-import { PageActions } from '../../web/app/page-actions.ts'
 import {
   attributesOf,
   columnsOf,
   isNumeric,
   membersOf,
-  NO_ATTRIBUTES,
   numberIn,
   textIn,
   valueFrom,
 } from '../../web/editing/attributes.ts'
-import { Editing } from '../../web/editing/editing.ts'
 import { nameColumn, namesBy } from '../../web/editing/identity.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
 import { NONE } from '../../web/lib/base/diagram-data.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
-import { checkLayers, DEFAULT_LAYERS, keptLayers, type Layers, layersFrom } from '../../web/view/layers.ts'
+import { checkLayers, DEFAULT_LAYERS, keptLayers, layersFrom } from '../../web/view/layers.ts'
 import { factsOf } from '../../web/view/painter/facts.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
-import type { View } from '../../web/view/view.ts'
+import { fail, pageSession } from './editing-session.ts'
 import { library } from './library.ts'
-import { LibraryBackend } from './library-backend.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 9, 0, 1, 0, 9, 1)
 const PROPERTIES = [
@@ -84,86 +78,12 @@ describe('attributes', () => {
 
 async function started() {
   vi.stubGlobal('requestAnimationFrame', () => {})
-  const store = createStore(INITIAL_STATE)
-  const view = {
-    camera: { x: 0, y: 0, scale: 1 },
-    size: { width: 100, height: 100 },
-    layers: DEFAULT_LAYERS,
-    setCamera() {},
-    setLayers(layers: Partial<Layers>) {
-      view.layers = { ...view.layers, ...layers }
-    },
-  }
-  const editing: Editing = new Editing(
-    new LibraryBackend(async () => {}),
-    (outcome) => {
-      store.update((state) => stateAfter(state, outcome, editing.circles))
-      actions.followColumn(outcome)
-    },
-    ({ message }) => {
-      throw new Error(message)
-    },
-  )
-  const padding = () => ({ top: 0, right: 0, bottom: 0, left: 0 })
-  const files = { call: () => Promise.reject(new Error()), cancel() {} }
-  const actions: PageActions = new PageActions(store, editing, view as unknown as View, padding, files)
-  await actions.open(async () => scene)
-  return { store, view, editing, actions }
+  const session = pageSession({ onproblem: fail })
+  await session.actions.open(async () => scene)
+  return session
 }
 
 describe('in the page, attributes', () => {
-  it('stay with their circles through edits, undo and other circles, and are edited and undone', async () => {
-    const { editing, store } = await started()
-    const values = (name: string) => Array.from(editing.circles.ids(), (id) => textIn(editing.valueOf(id, name)))
-    await editing.edit([{ kind: 'remove', id: 0 }])
-    await editing.edit([{ kind: 'insert', circle: { x: 5, y: 5, r: 1 } }])
-    expect(values('fips')).toEqual(['1003', '06037', ''])
-    await editing.setValues('fips', new Map([[1, '"2"']]))
-    await editing.setValues('fips', new Map([[3, '"new"']]))
-    expect(values('fips')).toEqual(['2', '06037', 'new'])
-    expect(store.get().attributes).toBe(editing.attributes)
-    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
-    expect([editing.fileAttributes, values('fips')]).toEqual([undefined, ['', '', '']])
-    await editing.undo()
-    expect(values('fips')).toEqual(['2', '06037', 'new'])
-    expect(editing.fileAttributes?.ids).toEqual(['7', '', ''])
-    expect(editing.fileAttributes?.collection).toBe('{"crs":{}}')
-    await editing.undo()
-    expect(values('fips')).toEqual(['2', '06037', ''])
-    await editing.undo()
-    expect(values('fips')).toEqual(['1003', '06037', ''])
-    await editing.redo()
-    expect(values('fips')).toEqual(['2', '06037', ''])
-    for (let k = 0; k < 3; k++) await editing.undo()
-    expect(values('n').sort()).toEqual(['', '12345678901234567890', '2.50'])
-    expect(editing.nameOf(0)).toBe('A')
-  })
-
-  it('are those of their circles after other ones were opened and undone: of old, new and removed ones', async () => {
-    const { editing } = await started()
-    const insert = (x: number) => editing.edit([{ kind: 'insert', circle: { x, y: 5, r: 1 } }])
-    const names = () =>
-      Array.from(editing.circles.ids(), (id) => `${editing.circles.get(id)?.x} ${textIn(editing.valueOf(id, 'fips'))}`)
-    await editing.edit([{ kind: 'remove', id: 1 }])
-    await insert(20)
-    await editing.setValues('fips', new Map([[3, '"new"']]))
-    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
-    await editing.undo()
-    expect(names()).toEqual(['0 01001', '0 06037', '20 new'])
-    // A new circle has no values of former ones.
-    await insert(30)
-    expect(names()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
-    await editing.open({ circles: THREE, dataSet: '', isEdited: false })
-    await editing.undo()
-    expect(names()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
-    for (let k = 0; k < 3; k++) await editing.undo()
-    expect(names()).toEqual(['0 01001', '0 06037'])
-    await editing.undo()
-    expect(names()).toEqual(['0 01001', '9 1003', '0 06037'])
-    for (let k = 0; k < 4; k++) await editing.redo()
-    expect(names().sort()).toEqual(['0 01001', '0 06037', '20 new', '30 '])
-  })
-
   it('are void for circles that have come since', async () => {
     const { editing } = await started()
     const [, set] = await Promise.all([editing.open(scene), editing.setValues('n', new Map([[0, '1']]))])
@@ -171,7 +91,7 @@ describe('in the page, attributes', () => {
   })
 
   it('are in a link with few circles, with the column of the colors, and in none that has no room', async () => {
-    const { editing, actions, view } = await started()
+    const { editing, actions, fake: view } = await started()
     await editing.edit([{ kind: 'remove', id: 1 }])
     actions.colorBy('n')
     const said = actions.linkState()
@@ -250,25 +170,6 @@ describe('colors by a column', () => {
     expect(picture.legend).toMatchObject({ categories: [...'abcdef'], hasOthers: true })
     picture.layers = DEFAULT_LAYERS
     expect([picture.colors, picture.legend]).toEqual([before, undefined])
-  })
-
-  it('follow the circles and the values, and end with their column', async () => {
-    const { editing, actions, view } = await started()
-    actions.colorBy('n')
-    const values = () => [...(view.layers.column?.values ?? [])]
-    expect(values()[1]).toBe(2.5)
-    await editing.setValues('n', new Map([[1, '3']]))
-    expect(values()[1]).toBe(3)
-    await editing.edit([{ kind: 'remove', id: 1 }])
-    await editing.undo()
-    expect(values()[1]).toBe(3)
-    await actions.open(async () => ({
-      ...scene,
-      attributes: columnsOf({ ...FILE, properties: ['{"n":1}', '{}', '{}'] }, 3),
-    }))
-    expect(values()).toEqual([1, NaN, NaN])
-    await actions.open(async () => ({ ...scene, attributes: NO_ATTRIBUTES }))
-    expect(view.layers.column).toBeUndefined()
   })
 
   it('are kept by their name, and refused where they are no values', () => {

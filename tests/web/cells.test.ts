@@ -21,7 +21,7 @@ import { outlineArea, outlineCentroid, outlinePerimeter } from '../../web/lib/re
 import { loadRegions } from '../../web/lib/regions.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { dataSet, library, seededRandom } from './library.ts'
-import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
+import { boxAround, depthIn, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
 import { doubleArea } from './recording-sink.ts'
 import { box } from './shapes.ts'
 
@@ -388,13 +388,7 @@ describe('clip', () => {
         const whole = boxAround(circles, 0.25)
         const region = polygonIn(whole, corners, size)
         const extent = whole.maxX - whole.minX
-        const depth = ({ x, y }: Point) =>
-          Math.min(
-            ...region.corners.map((p, k) => {
-              const q = region.cornerAfter(k)
-              return ((q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x)) / Math.hypot(q.x - p.x, q.y - p.y)
-            }),
-          )
+        const depth = (point: Point) => depthIn(region, point)
         for (let e = 0; e < diagram.edges.length / 4; e++) {
           const curve = edgeCurve(diagram, e)
           const pieces = clipCurve(curve, { bounds: region })

@@ -1,7 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Diagrams whose arrays a program has changed: every function returns a result or throws a CircleVoronoiError, and the
-// modules work afterwards.
-import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import { loadFiles } from '../../web/lib/files.ts'
@@ -26,10 +22,9 @@ import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 import { ring } from './shapes.ts'
 
-const bytesOf = (name: string) => readFileSync(new URL(`../../web/lib/generated/${name}.wasm`, import.meta.url))
-const { region } = await loadRegions({ wasm: bytesOf('circle-voronoi-regions') })
-const { computeComparison } = await loadComparison({ library, wasm: bytesOf('circle-voronoi-comparison') })
-const files = await loadFiles({ wasm: bytesOf('circle-voronoi-files') })
+const { region } = await loadRegions()
+const { computeComparison } = await loadComparison({ library })
+const files = await loadFiles()
 
 const hall = region([ring(10, 10, 90, 20, 80, 90, 20, 80), ring(40, 40, 60, 40, 50, 60)])
 const ARRAYS = [

@@ -1,14 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The largest empty disc inside a region. tests/cpp/region_queries_test.cpp compares it with a search.
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { largestEmptyDiscInside } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 import { ring } from './shapes.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await loadRegions({ wasm })
+const { region } = await loadRegions()
 const ROOM = ring(0, 0, 6, 0, 6, 2, 2, 2, 2, 6, 0, 6)
 const square = (half: number): [number, number][] => [
   [-half, -half],
@@ -27,11 +23,7 @@ describe('the largest empty disc inside a region', () => {
 
   it('keeps away from circles and islands', () => {
     const ring = region([square(4), square(1)])
-    const circles = [
-      [-2.5, -2.5, 0],
-      [2.5, -2.5, 0],
-      [-2.5, 2.5, 0],
-    ] as [number, number, number][]
+    const circles = Float64Array.of(-2.5, -2.5, 0, 2.5, -2.5, 0, -2.5, 2.5, 0)
     const found = largestEmptyDiscInside(library.compute(circles), { region: ring })
     expect(found?.disc.r).toBeCloseTo((3 * Math.SQRT2) / (1 + Math.SQRT2), 13)
     expect(found?.disc.x).toBeGreaterThan(0)

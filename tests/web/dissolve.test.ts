@@ -1,5 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
@@ -7,8 +5,7 @@ import { problemOf } from './errors.ts'
 import { library } from './library.ts'
 import { box } from './shapes.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await loadRegions({ wasm })
+const { region } = await loadRegions()
 
 const multi = (...rings: number[][][]): RegionShape => ({
   type: 'MultiPolygon',

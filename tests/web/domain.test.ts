@@ -1,13 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Regions and areas: as text, on screen, under edits, in the history.
-import { readFileSync } from 'node:fs'
-import { describe, expect, it } from 'vitest'
-import { type DiagramBackend, Editing } from '../../web/editing/editing.ts'
+import { describe, expect, it, vi } from 'vitest'
+import { Editing } from '../../web/editing/editing.ts'
 import { opened } from '../../web/element/data-of.ts'
-import type { Circle, Diagram, Edit, Point } from '../../web/lib/index.ts'
+import type { Circle, Diagram, Edit } from '../../web/lib/index.ts'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
-import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import { SceneBackend } from '../../web/picture/scene-backend.ts'
 import { boxOf } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { answers } from '../../web/view/painter/answers.ts'
@@ -19,15 +16,13 @@ import { Picture } from '../../web/view/painter/picture.ts'
 import { addBorder, addInside, addOutside, partShown } from '../../web/view/painter/region-path.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
-import type { DomainChange } from '../../web/view/protocol.ts'
 import { isRegionText, readRegion } from '../../web/view/region-text.ts'
 import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
-import { RecordingSink } from './recording-sink.ts'
+import { RecordingSink, windingOf } from './recording-sink.ts'
 import { box, ring } from './shapes.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const regions = { ...(await loadRegions({ wasm })), fitted, fittedEdits }
+const regions = { ...(await loadRegions()), fitted, fittedEdits }
 
 const SQUARE: RegionShape = [box(0, 0, 8, 8)]
 const RINGS: RegionShape = [...SQUARE, ring(3, 3, 5, 3, 5, 6, 3, 5)]
@@ -102,14 +97,7 @@ describe('a region on the screen', () => {
   const turns = (add: (sink: RecordingSink) => void, x: number, y: number) => {
     const sink = new RecordingSink(1)
     add(sink)
-    let count = 0
-    for (const ring of sink.strokes) {
-      ring.forEach(({ x: x1, y: y1 }, k) => {
-        const { x: x0, y: y0 } = ring.at(k - 1) as Point
-        if (y0 > y !== y1 > y && x < x0 + ((y - y0) / (y1 - y0)) * (x1 - x0)) count += y1 > y0 ? 1 : -1
-      })
-    }
-    return count
+    return sink.strokes.reduce((count, ring) => count + windingOf(ring, { x, y }), 0)
   }
 
   it.each([
@@ -259,35 +247,11 @@ describe('areas inside a region', () => {
 
 /** Editing with a painted scene as its backend. */
 async function started(circles = CIRCLES, domain = {}) {
-  const scene = new PaintedScene(library)
+  const backend = new SceneBackend(library)
   const problems: string[] = []
-  let table = new CircleTable(new Float64Array())
-  const edited = (change: typeof NO_CHANGE, error: number | undefined) => ({
-    counts: scene.counts(),
-    inserted: change.inserted,
-    back: table.follow(change),
-    fitted: error === undefined ? undefined : { error, steps: 0 },
-    seconds: 0,
-  })
-  const computer: DiagramBackend = {
-    get circles() {
-      return table
-    },
-    async setCircles(given, change, kept) {
-      const opened = scene.open(given, change, regions, kept)
-      table = new CircleTable(opened.circles?.slice() ?? Float64Array.from(given), 0, kept)
-      return edited(NO_CHANGE, opened.fitted?.error)
-    },
-    async apply(edits, change) {
-      changes.push(change)
-      const { change: done, fitted } = scene.edit(edits, change, regions)
-      return edited(done, fitted?.error)
-    },
-  }
   const errors: (number | undefined)[] = []
-  const changes: (DomainChange | undefined)[] = []
   const editing = new Editing(
-    computer,
+    backend,
     (outcome) => errors.push(outcome.edited.fitted?.error),
     ({ message }) => problems.push(message),
   )
@@ -295,10 +259,10 @@ async function started(circles = CIRCLES, domain = {}) {
   /** The areas by circle id. */
   const areas = () => {
     const ids = editing.circles.ids()
-    const { cells } = answers.tell(scene, [...ids])
+    const { cells } = answers.tell(backend.scene, [...ids])
     return Array.from(ids, (id) => cells.get(id)?.area ?? Number.NaN)
   }
-  return { editing, problems, errors, changes, areas, circles: () => [...editing.circles.circles()] }
+  return { backend, editing, problems, errors, areas, circles: () => [...editing.circles.circles()] }
 }
 
 const TOTAL = regions.region(RINGS).area
@@ -384,24 +348,12 @@ describe('areas that are given', () => {
   })
 })
 
-describe('another region', () => {
-  it('gives the circles no areas and does not make them sites', async () => {
-    const { editing, changes } = await started()
-    expect(editing.areas).toBeUndefined()
-    await editing.edit([], undefined, { region: SQUARE })
-    await editing.edit([], undefined, { areas: 'equal' })
-    expect(changes).toMatchObject([
-      { region: SQUARE, areSites: false, fit: undefined },
-      { region: undefined, areSites: true },
-    ])
-  })
-
-  it('replaces a region that waits only if both belong to one gesture', async () => {
-    const { editing, changes } = await started()
-    const regions = [SQUARE, RINGS, STAR, BOX].map((region, k) => editing.edit([], k < 3 ? 5 : 6, { region }))
-    await Promise.all(regions)
-    expect(changes.map((change) => change?.region)).toEqual([SQUARE, STAR, BOX])
-    await editing.undo()
-    expect(editing.domain.region).toEqual(STAR)
-  })
+it('another region replaces one that waits only if both belong to one gesture', async () => {
+  const { backend, editing } = await started()
+  const apply = vi.spyOn(backend, 'apply')
+  const regions = [SQUARE, RINGS, STAR, BOX].map((region, k) => editing.edit([], k < 3 ? 5 : 6, { region }))
+  await Promise.all(regions)
+  expect(apply.mock.calls.map(([, change]) => change?.region)).toEqual([SQUARE, STAR, BOX])
+  await editing.undo()
+  expect(editing.domain.region).toEqual(STAR)
 })

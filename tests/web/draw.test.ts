@@ -5,7 +5,7 @@ import { exportBox, exportTolerance } from '../../web/lib/regions/export-box.ts'
 import { disjointCircles } from './disjoint-circles.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, signedDistance } from './oracle.ts'
-import { doubleArea, RecordingSink } from './recording-sink.ts'
+import { doubleArea, RecordingSink, windingOf } from './recording-sink.ts'
 import { tuple } from './tuples.ts'
 
 const SETS: readonly (readonly [string, Float64Array])[] = [
@@ -80,7 +80,7 @@ describe.each(SETS)('%s', (_, circles) => {
       const distances = indices.map((i) => signedDistance(circles, i, point)).sort((one, other) => one - other)
       // Outlines are flattened, so that a point next to an edge may fall on the wrong side.
       if ((distances[1] ?? Number.POSITIVE_INFINITY) - (distances[0] as number) < 0.01 * size) continue
-      expect(outlines.flat().filter((stroke) => isInside(stroke, point))).toHaveLength(1)
+      expect(outlines.flat().filter((stroke) => windingOf(stroke, point) !== 0)).toHaveLength(1)
     }
   })
 })
@@ -113,15 +113,6 @@ it('draws the same curve when magnified ten million times', () => {
     }
   }
 })
-
-function isInside(polygon: readonly Point[], { x, y }: Point): boolean {
-  let inside = false
-  polygon.forEach((p, k) => {
-    const q = polygon[(k + 1) % polygon.length] as Point
-    if (p.y > y !== q.y > y && x < p.x + ((y - p.y) / (q.y - p.y)) * (q.x - p.x)) inside = !inside
-  })
-  return inside
-}
 
 function distanceToPolyline(polyline: readonly Point[], { x, y }: Point): number {
   let least = Number.POSITIVE_INFINITY
@@ -229,11 +220,7 @@ describe('an SVG path', () => {
   })
 
   it('has nothing of a drawing that an error ended', () => {
-    const diagram = library.compute([
-      [0, 0, 1],
-      [6, 0, 1],
-      [0, 8, 1],
-    ])
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
     const text = diagram.render()
     const edges = new Proxy(diagram.edges, {
       get(target, key) {

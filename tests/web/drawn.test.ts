@@ -77,17 +77,6 @@ describe('the growing phase', () => {
     expect(trace.at(trace.length).samples).toHaveLength(0)
     expect(told.join(' ')).not.toMatch(/sample|Delaunay|foot/)
   })
-
-  it('draws the reason: the circle that is met, the new arrow, and the vertex', () => {
-    const contentAt = (what: string) => {
-      const k = moments.findIndex((moment) => moment.what === what)
-      return KINDS.growing.draw(scene, k, library).content
-    }
-    expect(contentAt('notEmpty')).toMatch(/class="touching bad".*class="met"/)
-    expect(contentAt('used')).toMatch(/class="[^"]*passed/)
-    expect(contentAt('begin')).toMatch(/class="arrow fresh"/)
-    expect(contentAt('vertex')).toMatch(/class="touching good".*class="[^"]*vertex/)
-  })
 })
 
 test('a directed edge has its border on its right', () => {

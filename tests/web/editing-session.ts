@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 export { aTurn, eventually } from './turns.ts'
 
+import { PageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
 import { EditorActions } from '../../web/editing/editor-actions.ts'
 import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
@@ -59,4 +60,17 @@ export function editingSession({
   const view = fake as unknown as View
   const actions = new EditorActions(store, editing, view, () => padding)
   return { computer, store, problems, editing, fake, view, actions, circles: () => [...editing.circles.circles()] }
+}
+
+/** Throws a problem that no test expects. */
+export function fail(error: Error): never {
+  throw error
+}
+
+/** An editing session with the actions of the page. There are no files to read. */
+export function pageSession(options?: Parameters<typeof editingSession>[0]) {
+  const session = editingSession(options)
+  const { store, editing, view } = session
+  const reader = { call: () => Promise.reject(new Error('There are no files.')), cancel() {} }
+  return { ...session, actions: new PageActions(store, editing, view, () => NO_PADDING, reader) }
 }

@@ -5,6 +5,7 @@ import { Editing, type Outcome } from '../../web/editing/editing.ts'
 import { problemOf } from '../../web/editing/problem.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { Superseded } from '../../web/view/refusal.ts'
+import { editOf } from './arbitrary-circles.ts'
 import { LibraryBackend } from './library-backend.ts'
 
 const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
@@ -115,18 +116,6 @@ describe('Editing', () => {
     expect(await editing.edit(moved(0, 4))).toBeDefined()
   })
 
-  it('edits what it opens before anything else that is asked', async () => {
-    const { editing, circles } = await started()
-    const first = editing.open(sceneOf(Float64Array.of(7, 7, 7, 8, 8, 1), 'seven'), [{ kind: 'remove', id: 0 }])
-    const second = editing.open(sceneOf(Float64Array.of(1, 1, 1, 2, 2, 2, 3, 3, 3), 'six'))
-    expect([await first, await second]).not.toContain(undefined)
-    expect(circles()).toEqual([1, 1, 1, 2, 2, 2, 3, 3, 3])
-    await editing.undo()
-    expect(circles()).toEqual([8, 8, 1])
-    await editing.undo()
-    expect(circles()).toEqual([7, 7, 7, 8, 8, 1])
-  })
-
   it('forgets the oldest steps where its history takes too many bytes, and goes back through the others', async () => {
     const histories: number[] = []
     const ignore = () => {}
@@ -206,11 +195,14 @@ describe('Editing', () => {
   })
 })
 
-/** The circles by id that a user sees, in the scene that was opened. */
+/** The circles and their names by id that a user sees, in the scene that was opened. */
 interface Seen {
   readonly scene: { readonly name: string; next: number; isEdited: boolean; readonly first: string }
   readonly circles: ReadonlyMap<number, Circle>
+  readonly names: ReadonlyMap<number, string>
 }
+
+const NO_NAMES: ReadonlyMap<number, string> = new Map()
 
 /** A history as it should be: steps with what was before and after them, each of one gesture. */
 class Model {
@@ -223,14 +215,15 @@ class Model {
 
   #opened(name: string, circles: readonly Circle[]): Seen {
     const scene = { name, next: circles.length, isEdited: false, first: JSON.stringify(circles) }
-    return { scene, circles: new Map(circles.entries()) }
+    return { scene, circles: new Map(circles.entries()), names: NO_NAMES }
   }
 
   /** Notes whether the circles that are left for those of another scene were edited. */
   #leave({ scene: next }: Seen): void {
-    const { scene, circles } = this.seen
+    const { scene, circles, names } = this.seen
     const now = [...circles].sort(([a], [b]) => a - b).map(([, circle]) => circle)
-    if (next !== scene && JSON.stringify(now) !== scene.first) scene.isEdited = true
+    const isEdited = names !== NO_NAMES || JSON.stringify(now) !== scene.first
+    if (next !== scene && isEdited) scene.isEdited = true
   }
 
   #step(after: Seen, gesture: number): void {
@@ -242,8 +235,11 @@ class Model {
     this.seen = after
   }
 
-  open(name: string, circles: readonly Circle[]): void {
-    if (circles.every(({ r }) => r >= 0)) this.#step(this.#opened(name, circles), Number.NaN)
+  /** Returns whether the circles were not refused. */
+  open(name: string, circles: readonly Circle[]): boolean {
+    const isRight = circles.every(({ r }) => r >= 0)
+    if (isRight) this.#step(this.#opened(name, circles), Number.NaN)
+    return isRight
   }
 
   /** Makes all edits or none. */
@@ -259,6 +255,10 @@ class Model {
     }
     this.seen.scene.next = next
     this.#step({ ...this.seen, circles }, gesture)
+  }
+
+  name(id: number, name: string, gesture: number): void {
+    this.#step({ ...this.seen, names: new Map(this.seen.names).set(id, name) }, gesture)
   }
 
   go(from: typeof this.done, to: typeof this.done, side: 'before' | 'after'): void {
@@ -283,11 +283,7 @@ describe('a history', () => {
     y: fc.nat(20),
     r: fc.constantFrom(0, 1, 2, 0, 1, 2, 3, 4, -1),
   })
-  const edit: fc.Arbitrary<Edit> = fc.oneof(
-    fc.record({ kind: fc.constant('insert' as const), circle }),
-    fc.record({ kind: fc.constant('remove' as const), id: fc.nat(4) }),
-    fc.record({ kind: fc.constant('replace' as const), id: fc.nat(4), circle }),
-  )
+  const edit = editOf(circle, fc.nat(4))
   const step = fc.oneof(
     {
       weight: 4,
@@ -295,10 +291,14 @@ describe('a history', () => {
     },
     { weight: 4, arbitrary: fc.constantFrom('undo' as const, 'undo' as const, 'redo' as const, 'cancel' as const) },
     fc.constant('wait' as const),
-    { weight: 2, arbitrary: fc.record({ open: fc.array(circle, { maxLength: 3 }) }) },
+    { weight: 2, arbitrary: fc.record({ named: fc.nat(2) }) },
+    {
+      weight: 2,
+      arbitrary: fc.record({ open: fc.array(circle, { maxLength: 3 }), edits: fc.array(edit, { maxLength: 1 }) }),
+    },
   )
 
-  it('has the circles that were there before and after each step, whatever is done, refused, waited for or canceled', async () => {
+  it('has the circles and names that were there before and after each step, whatever is done, refused, waited for or canceled', async () => {
     await fc.assert(
       fc.asyncProperty(fc.array(step, { minLength: 6, maxLength: 25 }), async (steps) => {
         const { editing, problems } = await started()
@@ -309,16 +309,20 @@ describe('a history', () => {
         const model = new Model(two)
         const asked: Promise<unknown>[] = []
         let gesture = editing.beginGesture()
-        const check = async () => {
-          await Promise.all(asked.splice(0))
+        const expectSeen = () => {
           const ids = [...editing.circles.ids()]
           expect(ids).toEqual([...model.seen.circles.keys()].sort((a, b) => a - b))
           expect(ids.map((id) => editing.circles.get(id))).toEqual(ids.map((id) => model.seen.circles.get(id)))
+          expect(ids.map((id) => editing.valueOf(id, 'name'))).toEqual(ids.map((id) => model.seen.names.get(id) ?? ''))
+        }
+        const check = async () => {
+          await Promise.all(asked.splice(0))
+          expectSeen()
           const { name, isEdited } = model.seen.scene
           expect(editing.scene).toMatchObject({ dataSet: name, isEdited })
           expect(editing.past.history.done).toHaveLength(model.done.length)
         }
-        for (const step of steps) {
+        for (const [k, step] of steps.entries()) {
           if (step === 'wait') await check()
           else if (step === 'undo' || step === 'redo') {
             const [from, to] = step === 'undo' ? [model.done, model.undone] : [model.undone, model.done]
@@ -336,9 +340,13 @@ describe('a history', () => {
           } else if ('open' in step) {
             await check()
             const flat = Float64Array.from(step.open.flatMap(({ x, y, r }) => [x, y, r]))
-            await editing.open(sceneOf(flat, `${steps.indexOf(step)}`))
-            model.open(`${steps.indexOf(step)}`, step.open)
+            await editing.open(sceneOf(flat, `${k}`), step.edits)
+            if (model.open(`${k}`, step.open) && step.edits.length > 0) model.edit(step.edits, -k)
             gesture = editing.beginGesture()
+          } else if ('named' in step) {
+            if (!model.seen.circles.has(step.named)) continue
+            asked.push(editing.setValues('name', new Map([[step.named, `"${k}"`]]), gesture))
+            model.name(step.named, `"${k}"`, gesture)
           } else {
             if (!step.isSame) gesture = editing.beginGesture()
             asked.push(editing.edit(step.edits, gesture))
@@ -346,12 +354,11 @@ describe('a history', () => {
           }
         }
         await check()
-        const end = model.seen
         const count = model.done.length
         for (let k = 0; k <= count; k++) await editing.undo()
         expect([...editing.circles.circles()]).toEqual([...TWO])
         for (let k = 0; k < count; k++) await editing.redo()
-        expect([...editing.circles.ids()]).toEqual([...end.circles.keys()].sort((a, b) => a - b))
+        expectSeen()
         expect(problems.every((problem) => problem.length > 0)).toBe(true)
       }),
       { numRuns: 60 },

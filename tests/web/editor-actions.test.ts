@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The actions of a user on circles, and what screen readers hear, in a view without a picture.
+import fc from 'fast-check'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { USUAL_RADIUS } from '../../web/editing/camera-actions.ts'
-import { type Camera, NO_PADDING, type Padding } from '../../web/view/camera.ts'
+import { type Camera, NO_PADDING, type Padding, toScreen } from '../../web/view/camera.ts'
 import type { Described } from '../../web/view/protocol.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 import { box } from './shapes.ts'
@@ -224,23 +225,6 @@ describe('undo and redo', () => {
     await actions.redo()
     expect(selection()).toEqual([])
   })
-
-  it('show all circles where they move into a box or back', async () => {
-    const { actions, fake } = await started()
-    await actions.setDomain({ lattice: { a: [40, 0], b: [0, 40] } })
-    for (const [go, x, y] of [
-      [() => actions.undo(), 4.5, 10.5],
-      [() => actions.redo(), 20, 20],
-    ] as const) {
-      fake.camera = { x: 700, y: 0, scale: 1 }
-      await go()
-      expect([fake.camera.x, fake.camera.y]).toEqual([x, y])
-    }
-    await actions.setDomain({ areas: 'equal' })
-    fake.camera = { x: 700, y: 0, scale: 1 }
-    await actions.undo()
-    expect(fake.camera.x, 'the box is the same').toBe(700)
-  })
 })
 
 it('actions are pending until all of them are done', async () => {
@@ -298,27 +282,36 @@ describe('the camera', () => {
     expect(camera(() => actions.fit())).toEqual(whole)
   })
 
-  it('zooms to the selected circles with a margin, and to a point as to a new circle', async () => {
-    const { actions, camera, editing, fake } = await started()
-    const before = camera(() => actions.zoomToSelection())
-    expect(before, 'nothing is selected').toEqual({ x: 0, y: 0, scale: 1 })
-    actions.select([1])
-    const one = camera(() => actions.zoomToSelection())
-    expect([one.x, one.y]).toEqual([10, 0])
-    // Three times its size fits into the height of 100 pixels.
-    expect(one.scale).toBeCloseTo(100 / 12, 1)
-    actions.select([0, 2])
-    const two = camera(() => actions.zoomToSelection())
-    expect([two.x, two.y]).toEqual([0, 11])
-    expect(two.scale).toBeCloseTo(100 / (3 * 24), 1)
-    actions.select([0, 1])
-    // Three times 13 units fit into 200 pixels, but not into the height of 100.
-    expect(camera(() => actions.zoomToSelection()).scale).toBeCloseTo(100 / (3 * 13), 1)
-    fake.camera = two
-    await editing.edit([{ kind: 'replace', id: 1, circle: { x: 10, y: 0, r: 0 } }])
-    actions.select([1])
-    const point = camera(() => actions.zoomToSelection())
-    expect(point.scale).toBeCloseTo((two.scale * 100) / (6 * USUAL_RADIUS), 1)
+  it('zooms to the selected circles, which take a third of the free part, and to a point as to a new circle', async () => {
+    const { actions, editing, fake } = await started({ circles: [], padding: PADDED })
+    const number = fc.integer({ min: 0, max: 9 })
+    const circle = fc.record({ x: number, y: number, r: fc.constantFrom(0, 0, 1, 5) })
+    await fc.assert(
+      fc.asyncProperty(
+        fc.array(circle, { minLength: 1, maxLength: 3 }),
+        fc.constantFrom(1, 7),
+        async (circles, scale) => {
+          const flat = circles.flatMap(({ x, y, r }) => [x, y, r])
+          await editing.open(sceneOf(Float64Array.of(...flat, 500, 500, 9)))
+          actions.select([])
+          fake.camera = { x: 3, y: 4, scale }
+          actions.zoomToSelection()
+          expect(fake.camera, 'nothing is selected').toEqual({ x: 3, y: 4, scale })
+          actions.select([...circles.keys()])
+          actions.zoomToSelection()
+          const ends = (axis: 'x' | 'y') => [
+            Math.min(...circles.map((circle) => circle[axis] - circle.r)),
+            Math.max(...circles.map((circle) => circle[axis] + circle.r)),
+          ]
+          const [[left = 0, right = 0], [low = 0, high = 0]] = [ends('x'), ends('y')]
+          const extent = Math.max(right - left, high - low) || (2 * USUAL_RADIUS) / scale
+          // The free part is 140 x 60 pixels around (110, 40).
+          expect(fake.camera.scale).toBeCloseTo(60 / (3 * extent), 9)
+          const { x, y } = toScreen(fake.camera, fake.size, { x: (left + right) / 2, y: (low + high) / 2 })
+          expect([x, y]).toEqual([expect.closeTo(110, 6), expect.closeTo(40, 6)])
+        },
+      ),
+    )
   })
 
   it('shows the center of a circle that is out of sight or covered', async () => {

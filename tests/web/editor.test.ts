@@ -14,6 +14,7 @@ import {
 } from '../../web/lib/index.ts'
 import { contentOf, edited, someCircle, someEdit } from './edit-script.ts'
 import { library, seededRandom } from './library.ts'
+import { leastDistance, signedDistance } from './oracle.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 
@@ -30,12 +31,12 @@ function expectSame(diagram: DiagramSnapshot, snapshot: DiagramSnapshot, random:
   })
   for (let k = 0; k < 3; k++) {
     const [x, y] = [10 * random() - 1, 10 * random() - 1]
-    const distance = (i: number) =>
-      i === NONE ? NONE : Math.hypot(x - circleOf(diagram, i).x, y - circleOf(diagram, i).y) - circleOf(diagram, i).r
-    const least = Math.min(...[...diagram.numbers.circles.keys()].map(distance), Infinity)
-    const found = distance(diagram.find(x, y))
-    if (found !== NONE) expect(found).toBeCloseTo(least, 9)
-    else expect(diagram.circles).toHaveLength(0)
+    const found = diagram.find(x, y)
+    if (found === NONE) expect(diagram.circles).toHaveLength(0)
+    else {
+      const least = leastDistance(diagram.circles, { x, y })
+      expect(signedDistance(diagram.circles, found, { x, y })).toBeCloseTo(least, 9)
+    }
   }
 }
 

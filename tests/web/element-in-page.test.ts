@@ -2,16 +2,14 @@
 // <circle-voronoi> in a page, with its threads and its buttons. Nothing of the project is replaced.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { paddingBelow } from '../../web/element/controls.ts'
 import { CircleVoronoiElement, defineCircleVoronoi } from '../../web/element/define.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
-import { encodeLink } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { held, Observer } from './element-page.ts'
 import { control, controls, send } from './page-document.ts'
 import { ThreadHere } from './page-threads.ts'
 import { box } from './shapes.ts'
-import { fetchHere, quiet, soon, surround } from './whole-page.ts'
+import { quiet, soon, surround } from './whole-page.ts'
 
 const THREE = [
   [0, 0, 2],
@@ -22,7 +20,6 @@ const FLAT = THREE.flat()
 const TEXT = JSON.stringify(THREE)
 const SQUARE = 'POLYGON ((-9 -9, 19 -9, 19 19, -9 19))'
 const RING = box(-9, -9, 19, 19)
-const LATTICE = { a: [30, 0], b: [0, 30] } as const
 const EVENTS = [
   'circleschange',
   'diagramchange',
@@ -189,11 +186,6 @@ describe('a check', () => {
 })
 
 describe('a field of a form', () => {
-  it('has a value only within a form', async () => {
-    const { element } = await shown()
-    expect([held.of(element).internals.value, element.form]).toEqual(['', null])
-  })
-
   it('is reset to the circles of its attributes, restored to those that the browser kept, and disabled', async () => {
     const { element, circles, part } = await shown({ circles: TEXT, controls: '' })
     element.formStateRestoreCallback('{"circles": [[1, 1, 1]]}')
@@ -243,37 +235,6 @@ describe('attributes and properties', () => {
     expect(told()).toEqual([])
   })
 
-  it('readonly and dissolve are set by true alone', () => {
-    const { element, properties } = made({})
-    Object.assign(properties, { readonly: 'no', dissolve: 1 })
-    expect([element.readonly, element.dissolve]).toEqual([false, false])
-  })
-
-  const OWN = [
-    ['areas', '1 2 3', [1, 2, 3], [3, 2, 1]],
-    ['lattice', '30 0 0 30', LATTICE, { a: [40, 0], b: [0, 40] }],
-    ['layers', 'hull', { ...DEFAULT_LAYERS, hull: true }, { ...DEFAULT_LAYERS, dual: true }],
-    ['view', '1 2 3', { x: 1, y: 2, span: 3 }, { x: 2, y: 2, span: 3 }],
-    ['selection', '', [1], [2]],
-  ] as const
-
-  it.each(OWN.slice(0, 4))(
-    'the property %s wins over "%s" until it is unset, or the attribute is set anew',
-    (name, text, said, own) => {
-      const { element, properties } = made({ circles: TEXT, [name]: text })
-      for (const back of [
-        () => Object.assign(element, { [name]: undefined }),
-        () => Object.assign(element, { [name]: null }),
-        () => element.setAttribute(name, text),
-      ]) {
-        properties[name] = own
-        expect(properties[name]).toEqual(own)
-        back()
-        expect(properties[name]).toEqual(said)
-      }
-    },
-  )
-
   it('layers and a view are seen at once in a figure that runs, with the data of clients', async () => {
     const data = [{ id: 'a', color: 'rgb(1, 2, 3)', points: Float64Array.of(1, 2) }]
     const early = made({ circles: TEXT })
@@ -321,19 +282,6 @@ describe('attributes and properties', () => {
     expect(await errors(() => Object.assign(element, { [name]: undefined }))).toEqual([])
     expect(problem()).toBe('')
   })
-
-  it('properties that were set before the class was defined are taken over', async () => {
-    const { element, circles } = made({})
-    const given = { circles: THREE, alt: 'Trees', readonly: true, selection: [1] }
-    for (const [name, value] of Object.entries(given))
-      Object.defineProperty(element, name, { value, configurable: true, enumerable: true, writable: true })
-    document.body.append(element)
-    await element.ready
-    await settled(element)
-    expect(circles()).toEqual(FLAT)
-    expect([element.alt, element.readonly, element.selection]).toEqual(['Trees', true, [1]])
-    expect(Object.keys(given).filter((name) => Object.hasOwn(element, name))).toEqual([])
-  })
 })
 
 describe('circles', () => {
@@ -346,21 +294,6 @@ describe('circles', () => {
     held.release()
     await settled(element)
     expect(circles()).toEqual([2, 2, 2])
-  })
-
-  it('have ids, before the figure runs and after circles are gone', async () => {
-    const early = made({})
-    early.element.circles = THREE
-    expect([[...early.element.ids], early.circles()]).toEqual([[0, 1, 2], FLAT])
-    const { element, circles } = await shown()
-    await element.setState({ edits: [{ kind: 'remove', id: 1 }] })
-    expect([...element.ids]).toEqual([0, 2])
-    element.remove()
-    await quiet()
-    expect([[...element.ids], circles()]).toEqual([
-      [0, 2],
-      [0, 0, 2, 5, 8, 1.5],
-    ])
   })
 
   it.each([
@@ -376,35 +309,6 @@ describe('circles', () => {
     const good = await shown()
     expect(await good.errors(() => good.element.setAttribute('circles', '[[1, 2]]'))).toHaveLength(1)
     expect([good.part('slot[name=poster]'), good.circles()]).toEqual([expect.anything(), FLAT])
-  })
-
-  it('between the tags are read again when they change, unless there are others', async () => {
-    const { element, circles, told, problem } = await shown({})
-    const write = async (text: string) => {
-      element.textContent = text
-      await quiet()
-      await settled(element)
-    }
-    expect([circles(), told()]).toEqual([[], []])
-    await write('|1|2|')
-    expect(problem()).not.toBe('')
-    await write('|1|2|3|')
-    expect([circles(), problem()]).toEqual([[1, 2, 3], ''])
-    for (const [set, unset] of [
-      [() => element.setAttribute('circles', TEXT), () => element.removeAttribute('circles')],
-      [() => Object.assign(element, { circles: THREE }), () => Object.assign(element, { circles: undefined })],
-    ] as const) {
-      set()
-      await settled(element)
-      told()
-      await write('|4|4|4|')
-      expect([told(), circles()]).toEqual([[], FLAT])
-      unset()
-      await settled(element)
-      expect(circles()).toEqual([4, 4, 4])
-    }
-    await write('')
-    expect(circles()).toEqual([])
   })
 
   it('between the tags are read once the page has them all', async () => {
@@ -465,15 +369,6 @@ describe('readers', () => {
     await settled(element)
     expect(told().filter((name) => ['input', 'change'].includes(name))).toEqual(['input', 'change'])
   })
-
-  it('are told how to zoom where the wheel scrolls the page', async () => {
-    const { figure, part } = await shown()
-    const wheel = (more: object) => send(figure, 'wheel', { deltaX: 0, deltaY: 1, deltaMode: 0, ...more })
-    wheel({ ctrlKey: true })
-    expect(part('.hint').hidden).toBe(true)
-    wheel({ ctrlKey: false })
-    expect(part('.hint').hidden).toBe(false)
-  })
 })
 
 describe('buttons', () => {
@@ -505,16 +400,6 @@ describe('buttons', () => {
     expect(await spanAfter('Zoom in')).toBeLessThan(near)
     expect(await spanAfter('Zoom out')).toBeCloseTo(near, 6)
     expect(await spanAfter('Fit')).toBeUndefined()
-  })
-
-  it('leave room above the picture where they are above it, and a margin without', () => {
-    let position = 'absolute'
-    vi.stubGlobal('getComputedStyle', () => ({ position }))
-    const padding = (clientHeight: number) => paddingBelow({ clientHeight } as HTMLElement)
-    expect(padding(40)).toEqual({ top: 52, right: 16, bottom: 16, left: 16 })
-    expect(padding(0)).toEqual({ top: 16, right: 16, bottom: 16, left: 16 })
-    position = 'static'
-    expect(padding(40).top).toBe(16)
   })
 })
 
@@ -590,27 +475,6 @@ describe('a figure', () => {
     await empty.element.updateComplete
   })
 
-  it('reads its style again where the colors around it change', async () => {
-    const { element, part, figure } = await shown()
-    const before = await element.toSVG()
-    vi.stubGlobal('getComputedStyle', () => ({ color: 'rgb(9, 8, 7)', getPropertyValue: () => '' }))
-    part('.probe').dispatchEvent(new Event('transitionrun'))
-    await quiet()
-    expect(await element.toSVG()).toContain('9, 8, 7')
-    expect(before).not.toContain('9, 8, 7')
-    expect(figure.isConnected).toBe(true)
-  })
-
-  it('is described by its numbers, and the name of the page', async () => {
-    const { element, figure, part } = made({})
-    const own = figure.ariaLabel
-    element.alt = 'Trees'
-    expect([figure.ariaLabel, part('#about').textContent]).toEqual(['Trees', ''])
-    element.alt = ''
-    expect(figure.ariaLabel).toBe(own)
-    expect((await shown()).part('#about').textContent).toMatch(/^3 .*1 .*3 /)
-  })
-
   it('tells what went wrong, also while it shows circles, and goes on', async () => {
     const { element, problem, errors, circles, keys } = await shown()
     const [error] = await errors(() => {
@@ -625,25 +489,6 @@ describe('a figure', () => {
 })
 
 describe('a domain', () => {
-  it('is that of attributes and properties from the start', async () => {
-    const early = made({ dissolve: '' })
-    early.element.region = [RING]
-    expect(early.element.region).toEqual([RING])
-    early.element.region = undefined
-    document.body.append(early.element)
-    await settled(early.element)
-    expect(early.told()).not.toContain('error')
-    const { element } = await shown({ circles: TEXT, region: SQUARE, areas: '1 2 3' })
-    expect([element.areas, element.getState().areas]).toEqual([
-      [1, 2, 3],
-      [1, 2, 3],
-    ])
-    expect(element.region).toBeDefined()
-    expect(element.getState().region).toEqual(element.region)
-    const other = await shown({ circles: TEXT, lattice: '30 0 0 30' })
-    expect([other.element.lattice, other.element.getState().lattice]).toEqual([LATTICE, LATTICE])
-  })
-
   it('that is changed in several parts at once is changed once, after what is opened', async () => {
     const { element, told, circles } = await shown()
     told()
@@ -706,52 +551,9 @@ describe('a domain', () => {
       expect(seen, name).toEqual([said, own, said, own, said, undefined])
     }
   })
-
-  it('that is refused later stays as it was', async () => {
-    const { element, errors } = await shown({ circles: TEXT, region: SQUARE })
-    expect(await errors(() => Object.assign(element, { areas: [1, 2] }))).toHaveLength(1)
-    expect([element.areas, element.region]).toEqual([undefined, expect.anything()])
-  })
-
-  it('may have its region at an address, which is read again, or is an error', async () => {
-    const asked: string[] = []
-    vi.stubGlobal('fetch', async (src: string) => {
-      if (!/wkt$/.test(src)) return fetchHere(src)
-      asked.push(src)
-      return new Response(SQUARE, { status: src.endsWith('b.wkt') ? 200 : 404 })
-    })
-    const { element, told, errors, problem } = await shown({ circles: TEXT, region: 'b.wkt' })
-    expect(told()).not.toContain('error')
-    expect([asked[0], element.region]).toEqual([new URL('b.wkt', document.baseURI).href, expect.anything()])
-    const [error] = await errors(() => element.setAttribute('region', 'c.wkt'))
-    expect(error?.message).toMatch(/c\.wkt.*404/)
-    expect(problem()).toBe(error?.message)
-    expect(await errors(() => element.removeAttribute('region'))).toEqual([])
-    expect([problem(), element.region]).toEqual(['', undefined])
-  })
-
-  it('has a dissolved region with the attribute, and the given one without', async () => {
-    const two = 'MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2)), ((1 0, 3 0, 3 2, 1 2)))'
-    const { element, errors } = await shown({ circles: TEXT, region: two, dissolve: '' })
-    const dissolved = JSON.stringify(element.region)
-    expect(element.region).toBeDefined()
-    expect(await errors(() => Object.assign(element, { dissolve: false }))).toHaveLength(1)
-    expect(await errors(() => Object.assign(element, { dissolve: true }))).toEqual([])
-    expect(JSON.stringify(element.region)).toBe(dissolved)
-  })
 })
 
 describe('the method', () => {
-  it.each([
-    [{}, undefined],
-    [{ step: '4' }, 4],
-    [{ controls: 'player' }, 0],
-    [{ controls: 'buttons player', step: '2' }, 2],
-  ] as const)('of %j is shown at the step %s, with a player if there is one', async (attributes, step) => {
-    const { element, part } = await shown({ circles: TEXT, ...attributes })
-    expect([element.step, part('.player').hidden]).toEqual([step, !('controls' in attributes)])
-  })
-
   it('follows the attribute, the property and the controls', async () => {
     const { element } = await shown()
     const seen: unknown[] = []
@@ -790,71 +592,6 @@ describe('the method', () => {
       await expect(element.compute()).rejects.toMatchObject({ code: 'badInput' })
       element.removeAttribute(name)
     }
-  })
-})
-
-describe('a state', () => {
-  const STATE = {
-    circles: THREE,
-    view: { x: 1, y: 2, span: 9 },
-    layers: { hull: true },
-    step: 2,
-    method: 'auto',
-    lattice: LATTICE,
-  } as const
-
-  it('is given back as it was set, before the figure begins, while it runs and after it', async () => {
-    const { element } = await shown({ circles: '[[9, 9, 9]]', layers: 'dual', controls: '' })
-    await element.setState(STATE)
-    expect(element.getState()).toEqual(STATE)
-    element.remove()
-    await quiet()
-    expect(element.getState()).toEqual(STATE)
-    const early = made({ circles: TEXT, layers: 'hull', step: '2' })
-    expect(early.element.getState()).toEqual({ circles: [], layers: { hull: true }, step: 2 })
-  })
-
-  it('with circles replaces all that the former had, and later changes of attributes keep its circles', async () => {
-    const { element, told, circles } = await shown({
-      circles: '[[9, 9, 9]]',
-      layers: 'dual',
-      region: SQUARE,
-      controls: 'player',
-    })
-    told()
-    await element.setState({ circles: THREE })
-    expect(element.getState()).toEqual({ circles: THREE, layers: {}, step: 0 })
-    expect(told()).not.toContain('input')
-    element.setAttribute('region', SQUARE)
-    await settled(element)
-    expect([element.region, circles()]).toEqual([expect.anything(), FLAT])
-    const other = await shown({ step: '3' })
-    await other.element.setState({ circles: THREE })
-    expect(other.element.getState()).not.toHaveProperty('step')
-    other.element.textContent = '|1|2|3|'
-    await quiet()
-    expect(other.circles()).toEqual(FLAT)
-  })
-
-  it('may be a link, with or without an address, and is an error if it names the data set of a page', async () => {
-    const { element, circles } = await shown()
-    const link = await encodeLink({ circles: Float64Array.of(1, 1, 1), step: 3 })
-    for (const text of [link, `https://example.org/page#${link}`]) {
-      await element.setState({ circles: THREE })
-      await element.setState(text)
-      expect(element.getState()).toMatchObject({ circles: [[1, 1, 1]], step: 3 })
-    }
-    await expect(element.setState({ dataSet: 'cities' })).rejects.toMatchObject({ code: 'badInput' })
-    expect(circles()).toEqual([1, 1, 1])
-  })
-
-  it('that is refused is an error of its call, and leaves the circles and the properties', async () => {
-    const { element, circles } = await shown()
-    await expect(element.setState({ circles: [[0, 0, -1]] })).rejects.toMatchObject({ code: 'negativeRadius' })
-    expect(circles()).toEqual(FLAT)
-    element.formResetCallback()
-    await settled(element)
-    expect(circles()).toEqual(FLAT)
   })
 })
 

@@ -48,32 +48,21 @@ Element.prototype.attachShadow = function (this: Element, options) {
   return root
 }
 
-type Sight = 'near' | 'far'
-
-/** Reports what tests say. New elements are near, unless a test says otherwise. */
+/** Tells new elements that they are near, unless a test says otherwise. */
 export class Observer {
   static areNear = true
-  static readonly #all: Observer[] = []
   readonly #tell: (entries: readonly object[]) => void
-  readonly #sight: Sight
+  readonly #isForNear: boolean
   constructor(tell: (entries: readonly object[]) => void, { rootMargin }: { readonly rootMargin: string }) {
     this.#tell = tell
-    this.#sight = rootMargin.startsWith('25%') ? 'near' : 'far'
-    Observer.#all.push(this)
+    this.#isForNear = rootMargin.startsWith('25%')
   }
   observe(target: Element) {
     queueMicrotask(() => {
-      if (Observer.areNear && this.#sight === 'near' && target.isConnected)
-        this.#tell([{ target, isIntersecting: true }])
+      if (Observer.areNear && this.#isForNear && target.isConnected) this.#tell([{ target, isIntersecting: true }])
     })
   }
   unobserve() {}
-  disconnect() {}
-  static see(target: Element, sight: Sight) {
-    for (const each of Observer.#all) {
-      if (each.#sight === sight) each.#tell([{ target, isIntersecting: sight === 'near' }])
-    }
-  }
 }
 Object.assign(globalThis, { IntersectionObserver: Observer })
 

@@ -228,16 +228,7 @@ describe('what it says', () => {
   test('of every step of the method is another sentence in German', async () => {
     await loadWords('de')
     const german = wordsOf('de').others?.player as PlayerWords
-    const circles = [
-      [0, 0, 2],
-      [10, 1, 1],
-      [5, 8, 1.5],
-      [2, 6, 0.8],
-      [9, 6, 2.2],
-      [6, 3, 0.6],
-      [12, 10, 1],
-      [9, 6, 1],
-    ]
+    const circles = Float64Array.of(0, 0, 2, 10, 1, 1, 5, 8, 1.5, 2, 6, 0.8, 9, 6, 2.2, 6, 3, 0.6, 12, 10, 1, 9, 6, 1)
     const edits: Edit[] = [
       { kind: 'insert', circle: { x: 4, y: 4, r: 1 } },
       { kind: 'remove', id: 0 },

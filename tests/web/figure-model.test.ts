@@ -4,9 +4,9 @@
 // @vitest-environment happy-dom
 import fc from 'fast-check'
 import { beforeAll, expect, it } from 'vitest'
-import type { Circle } from '../../web/lib/index.ts'
 import type { Figure } from '../../web/player/figure.ts'
 import { type Domain, NO_DOMAIN } from '../../web/view/domain.ts'
+import { action as actionOf } from './arbitrary-circles.ts'
 import { send } from './page-document.ts'
 import { box, ring } from './shapes.ts'
 import { FIGURE_SIZE, newFigure } from './whole-figure.ts'
@@ -46,35 +46,26 @@ const circle = fc.record({
 })
 /** Whether the next action waits for this one. */
 const waits = fc.boolean()
-const keyAction = (keys: readonly string[], ctrlKey: boolean) =>
-  fc.record({
-    kind: fc.constant('key'),
-    key: fc.constantFrom(...keys),
-    shiftKey: fc.boolean(),
-    ctrlKey: fc.constant(ctrlKey),
-    waits,
-  })
+const keys = (list: readonly string[], ctrlKey: boolean) =>
+  actionOf('key', { key: fc.constantFrom(...list), shiftKey: fc.boolean(), ctrlKey: fc.constant(ctrlKey), waits })
+const drag = actionOf('drag', {
+  from: fc.tuple(x, y),
+  through: fc.array(fc.tuple(x, y), { minLength: 1, maxLength: 3 }),
+  end: fc.constantFrom('pointerup', 'pointerup', 'pointercancel', 'Escape'),
+  pointerType: fc.constantFrom('mouse', 'touch'),
+  shiftKey: fc.boolean(),
+  waits,
+})
 const action = fc.oneof(
-  {
-    weight: 4,
-    arbitrary: fc.record({
-      kind: fc.constant('drag'),
-      from: fc.tuple(x, y),
-      through: fc.array(fc.tuple(x, y), { minLength: 1, maxLength: 3 }),
-      end: fc.constantFrom('pointerup', 'pointerup', 'pointercancel', 'Escape'),
-      pointerType: fc.constantFrom('mouse', 'touch'),
-      shiftKey: fc.boolean(),
-      waits,
-    }),
-  },
-  fc.record({ kind: fc.constant('click'), at: fc.tuple(x, y), shiftKey: fc.boolean(), waits }),
-  fc.record({ kind: fc.constant('dblclick'), at: fc.tuple(x, y), waits }),
-  { weight: 3, arbitrary: keyAction(KEYS, false) },
-  { weight: 3, arbitrary: keyAction(COMMANDS, true) },
-  fc.record({ kind: fc.constant('type'), which: fc.nat(9), circle, waits }),
-  fc.record({ kind: fc.constant('open'), scene: fc.nat(SCENES.length - 1), waits }),
-  fc.record({ kind: fc.constant('domain'), domain: fc.nat(DOMAINS.length - 1), waits }),
-  fc.record({ kind: fc.constant('play'), step: fc.option(fc.nat(30), { nil: undefined }), waits }),
+  { weight: 4, arbitrary: drag },
+  actionOf('click', { at: fc.tuple(x, y), shiftKey: fc.boolean(), waits }),
+  actionOf('dblclick', { at: fc.tuple(x, y), waits }),
+  { weight: 3, arbitrary: keys(KEYS, false) },
+  { weight: 3, arbitrary: keys(COMMANDS, true) },
+  actionOf('type', { which: fc.nat(9), circle, waits }),
+  actionOf('open', { circles: fc.constantFrom(...SCENES), waits }),
+  actionOf('domain', { domain: fc.constantFrom(...DOMAINS), waits }),
+  actionOf('play', { step: fc.option(fc.nat(30), { nil: undefined }), waits }),
 )
 type Action = typeof action extends fc.Arbitrary<infer Value> ? Value : never
 
@@ -92,7 +83,7 @@ async function act(figure: ReturnType<typeof newFigure>, action: Action): Promis
   let done: Promise<unknown> | undefined
   switch (action.kind) {
     case 'drag': {
-      const { from, through, end, pointerType, shiftKey } = action as Extract<Action, { from: unknown }>
+      const { from, through, end, pointerType, shiftKey } = action
       send(element, 'pointerdown', pointer(pointerType, from, shiftKey))
       for (const point of through) {
         send(element, 'pointermove', pointer(pointerType, point, shiftKey))
@@ -102,34 +93,29 @@ async function act(figure: ReturnType<typeof newFigure>, action: Action): Promis
       send(element, end === 'pointercancel' ? end : 'pointerup', pointer(pointerType, through.at(-1) ?? from, shiftKey))
       break
     }
-    case 'click': {
-      const { at, shiftKey } = action as Extract<Action, { at: unknown; shiftKey: unknown }>
-      for (const type of ['pointerdown', 'pointerup']) send(element, type, pointer('mouse', at, shiftKey))
+    case 'click':
+      for (const type of ['pointerdown', 'pointerup']) send(element, type, pointer('mouse', action.at, action.shiftKey))
       break
-    }
     case 'dblclick':
-      send(element, 'dblclick', pointer('mouse', (action as Extract<Action, { at: unknown }>).at, false))
+      send(element, 'dblclick', pointer('mouse', action.at, false))
       break
     case 'key':
       for (const type of ['keydown', 'keyup']) send(element, type, action)
       break
     case 'type': {
-      const { which, circle } = action as Extract<Action, { which: unknown }>
       const ids = [...editing.circles.ids()]
-      const id = ids[which % ids.length]
-      if (id !== undefined) actions.set([{ id, circle: circle as Circle }])
+      const id = ids[action.which % ids.length]
+      if (id !== undefined) actions.set([{ id, circle: action.circle }])
       break
     }
-    case 'open': {
-      const circles = SCENES[(action as Extract<Action, { scene: unknown }>).scene] as (typeof SCENES)[number]
-      done = actions.open(async () => ({ circles: circles.slice(), dataSet: '', isEdited: false }))
+    case 'open':
+      done = actions.open(async () => ({ circles: action.circles.slice(), dataSet: '', isEdited: false }))
       break
-    }
     case 'domain':
-      done = actions.setDomain(DOMAINS[(action as Extract<Action, { domain: unknown }>).domain] as Domain)
+      done = actions.setDomain(action.domain)
       break
     case 'play':
-      actions.showStep((action as Extract<Action, { step: unknown }>).step as number | undefined)
+      actions.showStep(action.step)
   }
   if (action.waits) {
     await done

@@ -114,41 +114,6 @@ describe('saved data', () => {
   const write = (format: SavedFormat, domain: object = {}, attributes?: object) =>
     call('write', CIRCLES, format, domain, attributes) as Promise<string>
 
-  it('is a table, GeoJSON of points, or a diagram, with the attributes', async () => {
-    expect(await write('csv', {}, ATTRIBUTES)).toBe('x,y,r,id,n,a\n0,0,1,p,1.50,\n10,0,2,,,\n0,20,3,7,,}\n')
-    const points = JSON.parse(await write('geojson', {}, ATTRIBUTES))
-    expect(points.features.map((feature: { geometry: { type: string } }) => feature.geometry.type)).toEqual([
-      'Point',
-      'Point',
-      'Point',
-    ])
-    expect(points.features[0].properties).toMatchObject({ n: 1.5, r: 1 })
-    const diagram = JSON.parse(await write('json', {}, ATTRIBUTES))
-    expect(diagram.circles).toHaveLength(3)
-    expect(JSON.stringify(diagram)).toContain('"n":1.5')
-  })
-
-  it('of cells is cut to a box with a margin of a twentieth', async () => {
-    const { bbox, features } = JSON.parse(await write('cells', {}, ATTRIBUTES))
-    // The circles have the box from -3, -2 to 12, 23.
-    expect(bbox).toEqual([-4.25, -3.25, 13.25, 24.25])
-    expect(features[0].properties).toMatchObject({ circle: 0, n: 1.5 })
-  })
-
-  it('of cells in a region is cut to it', async () => {
-    const region = [
-      [
-        [-50, -50],
-        [50, -50],
-        [50, 50],
-        [-50, 50],
-      ],
-    ]
-    const { features } = JSON.parse(await write('cells', { region }, ATTRIBUTES))
-    const areas = features.map(({ properties }: { properties: { area: number } }) => properties.area)
-    expect(areas.reduce((sum: number, area: number) => sum + area, 0)).toBeCloseTo(10_000, 6)
-  })
-
   it('of cells that repeat has whole cells, with ids and properties as they are written in the file', async () => {
     const lattice: Lattice = { a: [40, 0], b: [0, 50] }
     const text = await write('cells', { lattice }, ATTRIBUTES)

@@ -4,11 +4,7 @@ import { firstPicture } from '../../web/app/first-picture.ts'
 import { library } from './library.ts'
 
 it('the first picture has the box of the circles, upside down, and a cell in the color of each circle', () => {
-  const diagram = library.compute([
-    [-3, 10, 1],
-    [5, 12, 2],
-    [0, 20, 0.5],
-  ])
+  const diagram = library.compute(Float64Array.of(-3, 10, 1, 5, 12, 2, 0, 20, 0.5))
   const drawing = firstPicture(diagram)
   expect(/viewBox="([^"]+)"/.exec(drawing)?.[1]).toBe('-4 -20.5 11 11.5')
   const discs = [...drawing.matchAll(/<circle class="(c\d)" cx="(.+?)" cy="(.+?)" r="(.+?)"/g)]

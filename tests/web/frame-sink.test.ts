@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
 import { FrameSink } from '../../web/view/painter/frame-sink.ts'
 import { seededRandom } from './library.ts'
+import { windingOf } from './recording-sink.ts'
 
 const FRAME = { x: 0, y: 0, scale: 1, width: 400, height: 300 }
 /** Browsers draw curves with coordinates up to this quickly, in pixels. */
@@ -19,20 +20,6 @@ function pointOn([a, b, c, d]: Curve, t: number): Point {
 /** Flattens a loop of curves to points, `count` for each curve. */
 function chordsOf(curves: readonly Curve[], count: number): Point[] {
   return curves.flatMap((curve) => Array.from({ length: count }, (_, k) => pointOn(curve, k / count)))
-}
-
-/** The winding number of a loop of points around a point. */
-function windingOf(loop: readonly Point[], { x, y }: Point): number {
-  let winding = 0
-  loop.forEach((a, k) => {
-    const b = loop[(k + 1) % loop.length] as Point
-    const isUp = a.y <= y && b.y > y
-    const isDown = a.y > y && b.y <= y
-    const side = (b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)
-    if (isUp && side > 0) winding += 1
-    if (isDown && side < 0) winding -= 1
-  })
-  return winding
 }
 
 /**

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names and colors of circles: edited, undone, linked, and drawn as labels and in the colors.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { PageActions } from '../../web/app/page-actions.ts'
 import { columnsOf, namedAs } from '../../web/editing/attributes.ts'
 import { isColor, isIdentity, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
-import { decodeLink, encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { axesOf, gridSpacing } from '../../web/view/axes.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
 import { LABEL_SIZE, type Label, type Names, placed } from '../../web/view/labels.ts'
@@ -12,7 +10,7 @@ import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { styleOf } from '../../web/view/style.ts'
-import { editingSession } from './editing-session.ts'
+import { fail, pageSession } from './editing-session.ts'
 import { library, seededRandom } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 5, 0, 2, 0, 5, 1.5)
@@ -22,45 +20,12 @@ beforeEach(() => vi.stubGlobal('requestAnimationFrame', (act: () => void) => que
 afterEach(() => vi.unstubAllGlobals())
 
 function edited() {
-  const { store, editing, view } = editingSession({
-    onproblem: (error) => {
-      throw error
-    },
-  })
-  const reader = { call: async () => THREE.slice(), cancel: () => {} }
-  const actions = new PageActions(store, editing, view, () => NO_PADDING, reader as never)
+  const { editing, actions } = pageSession({ onproblem: fail })
   const names = () => namesOf(editing).map(({ id, text }) => `${id} ${text}`)
   return { editing, actions, names }
 }
 
 describe('a circle', () => {
-  it('gets a name and a color, which undo, links and restored circles keep', async () => {
-    const { editing, actions, names } = edited()
-    await editing.open({ circles: THREE, dataSet: 'three', isEdited: false })
-    await actions.setName(1, 'Hamburg')
-    await actions.setColor([0, 2], '#abcdef')
-    expect(names()).toEqual(['1 Hamburg'])
-    expect(actions.called(1)).toBe('Hamburg')
-    expect(actions.called(0)).toBe('circle 0')
-    expect(ownColorsOf(editing)).toEqual({ values: Float64Array.of(0, Number.NaN, 0), colors: ['#abcdef'] })
-    await editing.undo()
-    expect(ownColorsOf(editing)).toBeUndefined()
-    await editing.redo()
-    await editing.edit([{ kind: 'remove', id: 1 }])
-    expect(names()).toEqual([])
-    await editing.undo()
-    expect(names()).toEqual(['1 Hamburg'])
-
-    const link = await decodeLink(await encodeLink(actions.linkState() as LinkInput))
-    expect(link.dataSet).toBeUndefined()
-    expect(link.attributes?.properties).toEqual(['{"color":"#abcdef"}', '{"name":"Hamburg"}', '{"color":"#abcdef"}'])
-    const other = edited()
-    await other.actions.openLink(await encodeLink(link as LinkInput))
-    expect(other.names()).toEqual(['1 Hamburg'])
-    await other.actions.setName(1, '')
-    expect(other.names()).toEqual([])
-  })
-
   it('keeps the column of its file for its name', async () => {
     const { editing, actions, names } = edited()
     const attributes = columnsOf(

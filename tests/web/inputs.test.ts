@@ -6,6 +6,7 @@ import { type Bounds, ConvexPolygon, Diagram } from '../../web/lib/index.ts'
 import { library } from './library.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
+const ROWS = [0, 3, 6].map((k) => [...CIRCLES.subarray(k, k + 3)])
 const diagram = library.compute(CIRCLES)
 const { computeComparison } = await loadComparison({ library })
 const power = computeComparison(CIRCLES, 'power')
@@ -14,33 +15,14 @@ const editor = library.edit(CIRCLES)
 describe('circles', () => {
   const lists: readonly (readonly [string, () => Parameters<typeof library.compute>[0]])[] = [
     ['a Float32Array', () => Float32Array.from(CIRCLES)],
-    [
-      'arrays',
-      () => [
-        [0, 0, 1],
-        [6, 0, 1],
-        [0, 8, 1],
-      ],
-    ],
+    ['arrays', () => ROWS],
     ['typed arrays', () => [CIRCLES.subarray(0, 3), CIRCLES.subarray(3, 6), CIRCLES.subarray(6)]],
     ['objects and arrays', () => [{ x: 0, y: 0, r: 1 }, [6, 0, 1], { x: 0, y: 8, r: 1 }]],
-    [
-      'a set',
-      () =>
-        new Set([
-          [0, 0, 1],
-          [6, 0, 1],
-          [0, 8, 1],
-        ]),
-    ],
+    ['a set', () => new Set(ROWS)],
     [
       'a generator',
       function* () {
-        yield* [
-          [0, 0, 1],
-          [6, 0, 1],
-          [0, 8, 1],
-        ]
+        yield* ROWS
       },
     ],
   ]

@@ -3,12 +3,12 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
-import { type Box, type Diagram, NONE, REGION_LIMIT } from '../../web/lib/index.ts'
+import { type Box, type Diagram, NONE, type Point, REGION_LIMIT } from '../../web/lib/index.ts'
 import { outlineArea } from '../../web/lib/regions/measure.ts'
 import { anyCircles, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf, signedDistance } from './oracle.ts'
-import { doubleArea, RecordingSink } from './recording-sink.ts'
+import { doubleArea, RecordingSink, windingOf } from './recording-sink.ts'
 
 const ROWS = 4000
 
@@ -34,17 +34,8 @@ function unionArea(circles: Float64Array, more: number, { minX, minY, maxX, maxY
 }
 
 /** The winding number of a path around a point. */
-function windings(sink: RecordingSink, { x, y }: { x: number; y: number }): number {
-  let count = 0
-  for (const stroke of sink.strokes) {
-    stroke.forEach((b, k) => {
-      const a = stroke[k - 1]
-      if (a === undefined || a.y <= y === b.y <= y) return
-      const side = (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)
-      if (side > 0 === b.y > a.y) count += b.y > a.y ? 1 : -1
-    })
-  }
-  return count
+function windings({ strokes }: RecordingSink, point: Point): number {
+  return strokes.reduce((count, stroke) => count + windingOf(stroke, point), 0)
 }
 
 function cellsOf(diagram: Diagram): number[] {
@@ -76,19 +67,11 @@ describe('a maximum distance', () => {
   })
 
   it('leaves the neighbors that share a part of an edge within it, each once', () => {
-    const corner = library.compute([
-      [0, 0, 1],
-      [10, 0, 1],
-      [0, 14, 1],
-    ])
+    const corner = library.compute(Float64Array.of(0, 0, 1, 10, 0, 1, 0, 14, 1))
     expect([...corner.neighbors(0, { maxDistance: 3 })]).toEqual([])
     expect([...corner.neighbors(0, { maxDistance: 5 })]).toEqual([1])
     // The first two share an edge on either side of the third.
-    const between = library.compute([
-      [-5, 0, 4],
-      [5, 0, 4],
-      [0, 0, 0.5],
-    ])
+    const between = library.compute(Float64Array.of(-5, 0, 4, 5, 0, 4, 0, 0, 0.5))
     expect([...between.neighbors(0, { bounds: [-20, -20, 20, 20] })].sort()).toEqual([1, 2])
   })
 

@@ -11,6 +11,13 @@ function circlesAround({ firstCircle, circles }: MergedDiagram, v: number): numb
   return [...circles.subarray(firstCircle[v], firstCircle[v + 1])]
 }
 
+/** Circles around the origin, each at the same distance. */
+const wheel = (count: number, r = 3) =>
+  Array.from({ length: count }, (_, k) => {
+    const turn = (2 * Math.PI * k) / count
+    return { x: 100 * Math.cos(turn), y: 100 * Math.sin(turn), r }
+  })
+
 describe('mergeVertices', () => {
   it('makes one vertex of a square', () => {
     const diagram = library.compute(Float64Array.of(0, 0, 0.5, 2, 0, 0.5, 2, 2, 0.5, 0, 2, 0.5))
@@ -31,22 +38,15 @@ describe('mergeVertices', () => {
   it.each([3, 99.9999999])('makes one vertex of many circles of radius %d around a point, in their turn', (r) => {
     const count = 40
     const order = Array.from({ length: count }, (_, k) => (7 * k) % count)
-    const circles = order.map((k) => {
-      const turn = (2 * Math.PI * k) / count
-      return { x: 100 * Math.cos(turn), y: 100 * Math.sin(turn), r }
-    })
-    const merged = mergeVertices(library.compute(circles))
+    const circles = wheel(count, r)
+    const merged = mergeVertices(library.compute(order.map((k) => circles[k] as (typeof circles)[number])))
     expect(merged.vertices).toHaveLength(3)
     expect(circlesAround(merged, 0).map((i) => order[i])).toEqual(order.map((_, k) => k))
     expect(merged.edges).toHaveLength(4 * count)
   })
 
   it('makes one vertex of those alone that are the same to the bit, where nothing is near zero', () => {
-    const circles = Array.from({ length: 40 }, (_, k) => {
-      const turn = (2 * Math.PI * k) / 40
-      return { x: 100 * Math.cos(turn), y: 100 * Math.sin(turn), r: 3 }
-    })
-    const diagram = library.compute(circles)
+    const diagram = library.compute(wheel(40))
     const places = Array.from({ length: diagram.vertices.length / 3 }, (_, v) =>
       diagram.vertices.slice(3 * v, 3 * v + 2),
     )
@@ -58,10 +58,9 @@ describe('mergeVertices', () => {
   it('makes one vertex of them however they are numbered', () => {
     const random = seededRandom(2)
     for (let trial = 0; trial < 60; trial++) {
-      const circles = Array.from({ length: 64 }, (_, k) => {
-        const turn = (2 * Math.PI * k) / 64
-        return { x: 100 * Math.cos(turn), y: 100 * Math.sin(turn), r: 3, key: random() }
-      }).sort((one, other) => one.key - other.key)
+      const circles = wheel(64)
+        .map((circle) => ({ ...circle, key: random() }))
+        .sort((one, other) => one.key - other.key)
       expect(mergeVertices(library.compute(circles)).vertices).toHaveLength(3)
     }
   })

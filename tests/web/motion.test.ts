@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Animations as edits, their videos, the motion of the first scene, and the slider of radii, with a clock of the test.
+// Animations as edits and their videos, with a clock of the test.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { driftAtStart } from '../../web/app/motion/drift.ts'
 import { filmed } from '../../web/app/motion/film.ts'
 import { MOST_MOVING, Motion } from '../../web/app/motion/motion.ts'
-import { PageActions } from '../../web/app/page-actions.ts'
-import type { Circle } from '../../web/lib/index.ts'
-import { CircleTable } from '../../web/view/circle-table.ts'
-import type { View } from '../../web/view/view.ts'
-import { editingSession, sceneOf } from './editing-session.ts'
+import { pageSession, sceneOf } from './editing-session.ts'
 import { settled } from './turns.ts'
 
 /** Frames of a browser that the test shows. */
@@ -36,17 +31,12 @@ async function show(now: number) {
   await settled()
 }
 
-const PADDING = { top: 10, right: 20, bottom: 30, left: 40 }
-
 describe('an animation', () => {
   async function started(circles = [0, 0, 1, 10, 0, 2]) {
-    const session = editingSession({
-      size: { width: 200, height: 100 },
-    })
+    const session = pageSession({ size: { width: 200, height: 100 } })
     const { editing, view } = session
     await editing.open(sceneOf(Float64Array.from(circles)))
-    const reader = { call: () => Promise.reject(new Error()), cancel() {} }
-    const motion = new Motion(view, editing, new PageActions(session.store, editing, view, () => PADDING, reader))
+    const motion = new Motion(view, editing, session.actions)
     const changes: boolean[] = []
     motion.onchange(() => changes.push(motion.isMoving))
     const radii = () => [...editing.circles.circles()].filter((_, k) => k % 3 === 2)
@@ -113,98 +103,6 @@ describe('an animation', () => {
   })
 })
 
-describe('the motion of the first scene', () => {
-  function drifting(isStill = false) {
-    const page = new EventTarget()
-    vi.stubGlobal('document', page)
-    vi.stubGlobal('matchMedia', () => ({ matches: isStill }))
-    let now = 0
-    vi.stubGlobal('performance', { now: () => now })
-    class Pressed extends Event {
-      clientX = 0
-      clientY = 0
-    }
-    vi.stubGlobal('PointerEvent', Pressed)
-    const table = new CircleTable(Float64Array.from(Array.from({ length: 8 }, (_, k) => [10 * k, 5, 1]).flat()))
-    const moved: Circle[] = []
-    let answer = () => Promise.resolve()
-    const view = {
-      circles: table,
-      camera: { x: 70, y: 5, scale: 10 },
-      size: { width: 100, height: 100 },
-      apply: ([{ circle, id }]: [{ circle: Circle; id: number }]) => {
-        expect(id).toBe(7)
-        moved.push(circle)
-        return answer()
-      },
-    }
-    const figure = { getBoundingClientRect: () => ({ left: 20, top: 30 }) }
-    const heard = vi.spyOn(page, 'addEventListener')
-    let ends = 0
-    driftAtStart(view as unknown as View, figure as unknown as HTMLElement, () => ends++)
-    const at = async (time: number) => {
-      now = time
-      await show(time)
-      return moved.at(-1)
-    }
-    const press = (clientX: number, clientY: number) =>
-      page.dispatchEvent(Object.assign(new Pressed('pointerdown'), { clientX, clientY }))
-    const isHeard = () => heard.mock.calls.some(([, , options]) => !(options as { signal: AbortSignal }).signal.aborted)
-    return {
-      isHeard,
-      at,
-      press,
-      page,
-      view,
-      moved,
-      ends: () => ends,
-      setAnswer: (next: typeof answer) => {
-        answer = next
-      },
-    }
-  }
-  const HOME = { x: 70, y: 5, r: 1 }
-  const closeTo = ({ x, y }: { x: number; y: number }) => ({ x: expect.closeTo(x), y: expect.closeTo(y), r: 1 })
-
-  it.each(['pointerdown', 'keydown', 'wheel'])('goes home after %s, and ends', async (name) => {
-    const { at, page, ends, moved, isHeard } = drifting()
-    expect(isHeard()).toBe(true)
-    await at(0)
-    await at(4500)
-    page.dispatchEvent(new Event(name))
-    expect(await at(4500 + 175)).toEqual(closeTo({ x: 70 + 1.8 / 4, y: 5 }))
-    page.dispatchEvent(new Event(name))
-    expect(await at(4500 + 350)).toEqual(HOME)
-    expect(ends()).toBe(0)
-    await at(5000)
-    const { length } = moved
-    await at(6000)
-    expect([ends(), moved.length, frames.size, isHeard()]).toEqual([1, length, 0, false])
-  })
-
-  it('leaves the circle where a pointer grabs it, and moves on beside it', async () => {
-    const { at, press, ends, moved } = drifting()
-    await at(0)
-    await at(4500)
-    // The circle is at 71.8, 5, which is 18 pixels right of the middle.
-    press(20 + 50 + 18 + 15, 30 + 50)
-    await at(4600)
-    expect(moved.at(-1)).not.toEqual(HOME)
-    const { length } = moved
-    expect(ends()).toBe(0)
-    press(20 + 50 + 16, 30 + 50)
-    await at(4700)
-    await at(4800)
-    expect([ends(), moved.length]).toEqual([1, length])
-  })
-
-  it('is off where people prefer less motion', async () => {
-    const { at, moved, ends } = drifting(true)
-    await at(0)
-    expect([moved, ends(), frames.size]).toEqual([[], 0, 0])
-  })
-})
-
 describe('a video', () => {
   const stopped: string[] = []
   const tracks = [1, 2].map((track) => ({ stop: () => stopped.push(`track ${track}`) }))
@@ -247,12 +145,5 @@ describe('a video', () => {
     expect([ended, blob.type, await blob.text()]).toEqual([ending, mimeType, 'ab'])
     expect(stopped).toEqual(['recorder', 'track 1', 'track 2'])
     expect(made).toEqual([[stream, { mimeType, videoBitsPerSecond: 8_000_000 }]])
-  })
-
-  it('is refused where the browser writes none', async () => {
-    recorder([])
-    await expect(filmed(stream, 3)).rejects.toThrow()
-    vi.stubGlobal('MediaRecorder', undefined)
-    await expect(filmed(stream, 3)).rejects.toThrow()
   })
 })

@@ -14,7 +14,6 @@ const REGION = [ring(-50, -50, 50, -50, 0, 90)] as const
 const LATTICE = { a: [40, 0], b: [0, 40] } as const
 let page: Awaited<ReturnType<typeof wholePage>>
 const circles = () => [...page.editing.circles.circles()]
-const radii = () => circles().filter((_, k) => k % 3 === 2)
 const problem = () => page.store.get().problem
 const scene = (given: ArrayLike<number>, more: object = {}): OpenRequest => ({
   circles: Float64Array.from(given),
@@ -98,17 +97,6 @@ describe('what is opened', () => {
     expect([await third, circles()]).toEqual(['superseded', [...THREE]])
   })
 
-  it('forgets the layers that name places among the former circles, and has the path across the picture', async () => {
-    const path = { from: { x: 1, y: 1 }, to: { x: 2, y: 2 } }
-    page.view.setLayers({ path, nearZero: 1, maxDistance: 2, hull: true })
-    await open([50, 50, 1, 90, 50, 2])
-    expect(page.view.layers).toMatchObject({ hull: true, nearZero: undefined, maxDistance: undefined })
-    expect(page.view.layers.path).toEqual(page.actions.pathAcross())
-    page.view.setLayers({ path: undefined })
-    await open(THREE)
-    expect(page.view.layers.path).toBeUndefined()
-  })
-
   it('ends the selection, the tool and the problem, and shows the method from its first step', async () => {
     page.actions.select([1, 2])
     page.actions.useTool('add')
@@ -121,18 +109,6 @@ describe('what is opened', () => {
     page.actions.showStep(undefined)
     await open(THREE)
     expect(page.store.get().step).toBeUndefined()
-  })
-
-  it('as a family is seen as a whole, and is another sample when it is asked for again', async () => {
-    await page.actions.generate({ kind: 'family', family: 'grid', seed: 5, count: 31 })
-    await quiet()
-    expect([page.store.get().dataSet, page.actions.isWhole, page.editing.circles.count]).toEqual([
-      'grid:5:31',
-      true,
-      31,
-    ])
-    await page.actions.generateAgain()
-    expect(page.store.get().dataSet).toMatch(/^grid:(?!5:)\d+:31$/)
   })
 })
 
@@ -214,53 +190,5 @@ describe('the link of what is shown', () => {
       keys().filter((name) => !['circles', 'colors'].includes(name) && (name !== 'view' || names.includes(name))),
     ).toEqual(names)
     page.actions.showStep(undefined)
-  })
-})
-
-describe('areas', () => {
-  it('replace radii, which are there again afterwards, also of circles that are new', async () => {
-    await open(THREE)
-    await page.actions.setDomain({ region: REGION })
-    await page.actions.setAreas('equal')
-    expect([radii(), page.actions.radii()]).toEqual([expect.not.arrayContaining([1, 2, 3]), [1, 2, 3]])
-    await page.actions.setAreas([1, 2, 3])
-    expect(page.actions.radii()).toEqual([1, 2, 3])
-    await page.actions.removeRegion()
-    expect([page.editing.domain, radii()]).toMatchObject([{ region: undefined, areas: undefined }, [1, 2, 3]])
-    await page.actions.undo()
-    expect([page.editing.domain.region, page.editing.areas]).toEqual([REGION, [1, 2, 3]])
-  })
-
-  it('as shares of one cell keep the proportions of the others', async () => {
-    await open(THREE)
-    expect(page.actions.shareOf(0)).toBeUndefined()
-    await page.actions.setDomain({ region: REGION })
-    await page.actions.setAreas('equal')
-    expect(page.actions.shareOf(2)).toBe(1 / 3)
-    await page.actions.setShare(1, 0.5)
-    expect(page.editing.areas).toEqual([1, 2, 1])
-    await page.actions.setAreas([1, 3, 4])
-    await page.editing.edit([{ kind: 'remove', id: 0 }])
-    await page.actions.setShare(2, 0.25)
-    expect([page.editing.areas, page.actions.shareOf(1), page.actions.shareOf(2)]).toEqual([[3, 1], 0.75, 0.25])
-  })
-
-  it('and a box exclude each other, and the box gives radii back and moves circles into it', async () => {
-    await open([-50, 3, 1, -40, 3, 1])
-    await page.actions.setDomain({ region: [ring(-99, -99, 99, -99, 0, 99)] })
-    await page.actions.setAreas('equal')
-    await page.actions.repeat()
-    const [x = 0, , , other = 0] = circles()
-    expect([x > 1, other - x, radii(), page.editing.domain]).toMatchObject([
-      true,
-      10,
-      [1, 1],
-      { lattice: { a: [expect.any(Number), 0] }, region: undefined, areas: undefined },
-    ])
-    expect(page.actions.isWhole).toBe(true)
-    await page.actions.setLattice({ a: [1, 1], b: [1, 1] })
-    expect([problem() === '', page.editing.domain.lattice?.a[1]]).toEqual([false, 0])
-    await page.actions.setDomain({ region: REGION })
-    expect(page.editing.domain).toMatchObject({ lattice: undefined, region: REGION })
   })
 })

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reference results for the library, by scanning all circles or many points.
 import type { Box } from '../../web/lib/base/types.ts'
-import { type Bisector, type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
+import { type Bisector, type BoundedCurve, type ConvexPolygon, type Point, pointAt } from '../../web/lib/index.ts'
 import { tuple } from './tuples.ts'
 
 /** The signed distance from circle `i` of a flat array. */
@@ -43,6 +43,15 @@ export function boxAround(circles: Float64Array, share: number): Box {
 /** The point at fractions of a box's width and height. */
 export function pointIn({ minX, minY, maxX, maxY }: Box, across: number, up: number): Point {
   return { x: minX + across * (maxX - minX), y: minY + up * (maxY - minY) }
+}
+
+/** The signed distance of a point from the border of a convex polygon, positive inside. */
+export function depthIn(polygon: ConvexPolygon, { x, y }: Point): number {
+  const depths = polygon.corners.map((p, k) => {
+    const q = polygon.cornerAfter(k)
+    return ((q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x)) / Math.hypot(q.x - p.x, q.y - p.y)
+  })
+  return Math.min(...depths)
 }
 
 /**

@@ -255,12 +255,6 @@ describe('above the picture', () => {
     expect(dashes[0]).toBe((dashes[1] as number) + 1)
   })
 
-  it('several selected circles have a box around them', () => {
-    const box = { minX: -5, minY: -1, maxX: 3, maxY: 3 }
-    const { operations } = drawn({ chosen: { circles: Float64Array.of(1, 1, 2, -4, 1, 1), box } })
-    expect(operations.map((each) => each.box)).toContainEqual([150, 120, 230, 160])
-  })
-
   it('a circle that is tried tells what it takes beside it, where there is room', () => {
     const written = (...taken: (readonly [x: number, y: number, area: number])[]) =>
       drawn({
@@ -295,11 +289,5 @@ describe('above the picture', () => {
       method: undefined,
     }
     expect(drawn({ found: known, touching: touching(2), layers: off }).colors).toEqual(new Set())
-  })
-
-  it('a grid has fine lines, numbered ones and axes', () => {
-    const { operations } = drawn({ layers: withLayers({ grid: true }) })
-    const lines = operations.filter(({ kind }) => kind.startsWith('stroke'))
-    expect(lines.map(({ lengths }) => lengths.length > 4)).toEqual([true, true, true])
   })
 })

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Canvases without pixels. Other tests compare pictures; these only let the page and its threads draw.
 
+/** How often something was drawn on each canvas. */
+export const draws = new WeakMap<object, number>()
+
 /** Accepts any drawing, and keeps the properties that are set. A color in hexadecimal digits stays what it is. */
 function contextOf(canvas: object) {
   const state: Record<PropertyKey, unknown> = { canvas }
-  return new Proxy(state, {
-    get: (_, name) =>
-      name in state ? state[name] : (...args: unknown[]) => (name === 'measureText' ? { width: 0 } : args && undefined),
-  })
+  const method = (name: PropertyKey) => () => {
+    if (/^(fill|stroke|fillText|drawImage)$/.test(String(name))) draws.set(canvas, (draws.get(canvas) ?? 0) + 1)
+    return name === 'measureText' ? { width: 0 } : undefined
+  }
+  return new Proxy(state, { get: (_, name) => (name in state ? state[name] : method(name)) })
 }
 
 /** The pixels of a canvas. */

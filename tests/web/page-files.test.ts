@@ -5,11 +5,11 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { all, choose, chosenOf, control, element, textOf } from './page-document.ts'
+import { choose, control, element, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
 import { ThreadHere } from './page-threads.ts'
 import { box } from './shapes.ts'
-import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
+import { FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
 let out: ReturnType<typeof outputs>
@@ -76,27 +76,10 @@ describe('a file', () => {
 
 describe('the dialog for columns', () => {
   const dialog = () => element<HTMLDialogElement>('columns')
-  const chosen = () => ['x', 'y', 'radius'].map((label) => chosenOf(control(dialog(), label)))
   const close = async (value: string) => {
     dialog().close(value)
     await quiet()
   }
-
-  it('has the guesses, a preview, and gives what is chosen', async () => {
-    await open('n,a,lon,lat\n1,2,3,4\n5,6,7,8\n', 'a.csv')
-    expect([chosen(), textOf(dialog())]).toEqual([['lon', 'lat', 'lon'], expect.stringContaining('a.csv')])
-    await entered(dialog(), 'x', '3')
-    await entered(dialog(), 'y', '2')
-    await entered(dialog(), 'radius', '1')
-    expect([chosen(), all(dialog(), 'th').map(({ classList }) => classList.contains('used'))]).toEqual([
-      ['lat', 'lon', 'a'],
-      [false, true, true, true],
-    ])
-    expect(all(dialog(), 'td').map(textOf)).toEqual(['1', '2', '3', '4', '5', '6', '7', '8'])
-    await pressed(dialog(), 'diameters')
-    await close('open')
-    await soon(() => expect(circles()).toEqual([4, 3, 1, 8, 7, 3]))
-  })
 
   it.each(['x,y,r,radius\n1,2,3,4\n', 'x,lon,y,r\n1,2,3,4\n', 'x,y,n\n1,2,3\n'])(
     'is there where the names do not say everything: %j',

@@ -4,13 +4,14 @@
 // @vitest-environment happy-dom
 import fc from 'fast-check'
 import { afterAll, beforeEach, expect, it, vi } from 'vitest'
-import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Painter } from '../../web/view/painter.ts'
 import type { Facts, FromPainter, InProgress, ToPainter } from '../../web/view/protocol.ts'
 import { Failure, Superseded } from '../../web/view/refusal.ts'
 import type { Lost, PictureEvents, SceneClient } from '../../web/view/scene-client.ts'
 import { styleOf } from '../../web/view/style.ts'
+import { action as actionOf, editOf } from './arbitrary-circles.ts'
 import { Canvas, Path } from './page-canvas.ts'
 import { ThreadHere } from './page-threads.ts'
 import { fetchHere } from './whole-page.ts'
@@ -35,11 +36,7 @@ const circle = fc.record({
   r: fc.constantFrom(0, 1, 2, 5, -1),
 })
 const id = fc.nat(9)
-const edit: fc.Arbitrary<Edit> = fc.oneof(
-  fc.record({ kind: fc.constant('insert' as const), circle }),
-  fc.record({ kind: fc.constant('remove' as const), id }),
-  fc.record({ kind: fc.constant('replace' as const), id, circle }),
-)
+const edit = editOf(circle)
 const WORK = [
   'open',
   'edit',
@@ -52,24 +49,15 @@ const WORK = [
 ] as const satisfies readonly InProgress['kind'][]
 const scene = fc.nat(1)
 const action = fc.oneof(
-  fc.record({
-    kind: fc.constant('open' as const),
-    scene,
-    circles: fc.array(circle, { maxLength: 8 }),
-    domain: fc.nat(2),
-  }),
-  fc.record({ kind: fc.constant('edit' as const), scene, edits: fc.array(edit, { minLength: 1, maxLength: 3 }) }),
-  fc.record({ kind: fc.constant('edit' as const), scene, edits: fc.array(edit, { minLength: 1, maxLength: 1 }) }),
-  fc.record({ kind: fc.constant('layers' as const), scene, hull: fc.boolean() }),
-  fc.record({ kind: fc.constant('mark' as const), scene, id }),
-  fc.record({ kind: fc.constant('ask' as const), scene }),
-  fc.record({ kind: fc.constant('cancel' as const), scene }),
-  fc.record({
-    kind: fc.constant('break' as const),
-    scene,
-    during: fc.option(fc.constantFrom(...WORK), { nil: undefined }),
-  }),
-  fc.record({ kind: fc.constant('wait' as const), scene }),
+  actionOf('open', { scene, circles: fc.array(circle, { maxLength: 8 }), domain: fc.nat(2) }),
+  actionOf('edit', { scene, edits: fc.array(edit, { minLength: 1, maxLength: 3 }) }),
+  actionOf('edit', { scene, edits: fc.array(edit, { minLength: 1, maxLength: 1 }) }),
+  actionOf('layers', { scene, hull: fc.boolean() }),
+  actionOf('mark', { scene, id }),
+  actionOf('ask', { scene }),
+  actionOf('cancel', { scene }),
+  actionOf('break', { scene, during: fc.option(fc.constantFrom(...WORK), { nil: undefined }) }),
+  actionOf('wait', { scene }),
 )
 type Action = typeof action extends fc.Arbitrary<infer Value> ? Value : never
 

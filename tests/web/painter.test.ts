@@ -8,6 +8,7 @@ import { Tiles } from '../../web/view/painter/tiles.ts'
 import { type Grid, type PaintRequest, type PixelBox, TILE } from '../../web/view/protocol.ts'
 import type { Painted } from '../../web/view/scene-client.ts'
 import type { Style } from '../../web/view/style.ts'
+import { action as actionOf } from './arbitrary-circles.ts'
 import { Canvas } from './page-canvas.ts'
 
 describe('tiles', () => {
@@ -114,15 +115,10 @@ describe('the base picture', () => {
   const isLate = fc.constantFrom(false, false, true)
   const length = { minLength: 5, maxLength: 25, size: 'max' } as const
   const action = fc.oneof(
-    fc.record({
-      kind: fc.constant('look' as const),
-      x: place,
-      y: place,
-      scale: fc.constantFrom(1, 1, 1, 1, 2, 0.25, 0.002),
-    }),
-    fc.record({ kind: fc.constant('again' as const) }),
-    fc.record({ kind: fc.constant('paint' as const), isWhole: fc.constantFrom(true, true, false), isLate }),
-    fc.record({ kind: fc.constant('edit' as const), x: place, y: place, isLate }),
+    actionOf('look', { x: place, y: place, scale: fc.constantFrom(1, 1, 1, 1, 2, 0.25, 0.002) }),
+    actionOf('again'),
+    actionOf('paint', { isWhole: fc.constantFrom(true, true, false), isLate }),
+    actionOf('edit', { x: place, y: place, isLate }),
   )
 
   it('shows pixels where they belong, none from before an edit, and is whole once its newest request is painted', () => {

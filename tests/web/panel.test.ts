@@ -3,11 +3,8 @@
 // @vitest-environment happy-dom
 import { html } from 'lit/html.js'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { NOT_LOADED } from '../../web/app/not-loaded.ts'
 import { buttonOf, control, element, openPage, send } from './page-document.ts'
-import { settled } from './turns.ts'
 
-const STORED = 'circle-voronoi:open-panel'
 let panels: typeof import('../../web/app/panels/panel.ts')
 beforeEach(async () => {
   const panelHtml = (id: string) => `<section id="${id}" hidden></section><button aria-controls="${id}"></button>`
@@ -85,35 +82,5 @@ describe('the handle of a sheet', () => {
     move('pointermove', 0)
     move('pointermove', 200)
     expect([isLarge(), panel.isOpen]).toEqual([true, true])
-  })
-})
-
-describe('a panel that is loaded later', () => {
-  it('is loaded at once if it was open before a reload, and is not pressed', async () => {
-    localStorage.setItem(STORED, 'a')
-    const mounted: string[] = []
-    const button = buttonOf('a')
-    button.addEventListener('click', () => mounted.push('pressed'))
-    for (const id of ['a', 'b']) panels.panelLater(id, expect.unreachable, async () => void mounted.push(id))
-    await settled()
-    expect(mounted).toEqual(['a'])
-  })
-
-  it('says that it was not loaded, and is asked for again by the next press', async () => {
-    const problems: string[] = []
-    let asked = 0
-    panels.panelLater(
-      'a',
-      (problem) => problems.push(problem),
-      async () => {
-        asked += 1
-        throw new Error('no network')
-      },
-    )
-    for (let k = 1; k <= 2; k++) {
-      buttonOf('a').click()
-      await settled()
-      expect([asked, problems]).toEqual([k, Array(k).fill(NOT_LOADED)])
-    }
   })
 })

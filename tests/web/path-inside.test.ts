@@ -1,15 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Clearest paths inside bounds and regions, against flooding on a grid.
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { type Circles, ConvexPolygon, clearestPath, type Diagram, type Point, pointAt } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
+import { leastDistance } from './oracle.ts'
 import { box, ring } from './shapes.ts'
-import { tuple } from './tuples.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await loadRegions({ wasm })
+const { region } = await loadRegions()
 
 /** Robots in a field, after a report about a planner whose paths left the field. */
 const ROBOTS: Circles = [
@@ -22,15 +18,6 @@ const ROBOTS: Circles = [
 ]
 const FIELD = [-4, -2, 4, 2] as const
 const ROOM = ring(0, 0, 6, 0, 6, 2, 2, 2, 2, 6, 0, 6)
-
-function leastDistance({ circles }: Diagram, { x, y }: Point): number {
-  let least = Infinity
-  for (let i = 0; i < circles.length; i += 3) {
-    const [cx, cy, r] = tuple(circles, i, 3)
-    least = Math.min(least, Math.hypot(x - cx, y - cy) - r)
-  }
-  return least
-}
 
 /** Sample points along a path. */
 function pointsOf(path: NonNullable<ReturnType<typeof clearestPath>>): Point[] {
@@ -53,7 +40,7 @@ function flooded(diagram: Diagram, contains: (p: Point) => boolean, size: number
   })
   const clearances = Array.from({ length: count * count }, (_, k) => {
     const place = placeOf(k)
-    return contains(place) ? leastDistance(diagram, place) : -Infinity
+    return contains(place) ? leastDistance(diagram.circles, place) : -Infinity
   })
   const nearest = (point: Point) => {
     let best = -1
@@ -111,7 +98,7 @@ function expectPath(
     const isInside = [0, 1e-9, -1e-9].some((dx) => [0, 1e-9, -1e-9].some((dy) => contains({ x: x + dx, y: y + dy })))
     expect(isInside, `(${x}, ${y})`).toBe(true)
   }
-  const least = Math.min(...points.map((point) => leastDistance(diagram, point)))
+  const least = Math.min(...points.map((point) => leastDistance(diagram.circles, point)))
   expect(least, JSON.stringify({ circles: [...diagram.circles], p, q })).toBeGreaterThanOrEqual(path.clearance - 1e-9)
 }
 
@@ -263,16 +250,7 @@ describe('a clearest path in a region', () => {
 describe('a clearest path among ties', () => {
   it('starts at a corner on a bisector, at a center on the border and beside a notch', () => {
     const cases: [Circles, [number, number][], Point, Point, number][] = [
-      [
-        [
-          [0, 0, 0],
-          [0, 2, 0],
-        ],
-        ring(0, 1, 1, 1, 1, 2, 0, 2),
-        { x: 0, y: 1 },
-        { x: 1, y: 2 },
-        1,
-      ],
+      [Float64Array.of(0, 0, 0, 0, 2, 0), ring(0, 1, 1, 1, 1, 2, 0, 2), { x: 0, y: 1 }, { x: 1, y: 2 }, 1],
       [[[1, 1, 0]], ring(0, 0, 1, 0, 1, 1, 0, 1), { x: 1, y: 1 }, { x: 0, y: 0 }, 0],
       [[[1, 2, 0]], ring(0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3), { x: 1, y: 2 }, { x: 2.5, y: 2.5 }, 0],
     ]
@@ -283,10 +261,7 @@ describe('a clearest path among ties', () => {
       expectPath(diagram, p, q, path, ({ x, y }) => room.contains(x, y))
       expect(path?.clearance).toBe(clearance)
     }
-    const two = library.compute([
-      [0, 0, 0],
-      [0, 2, 0],
-    ])
+    const two = library.compute(Float64Array.of(0, 0, 0, 0, 2, 0))
     const path = clearestPath(two, { x: 0, y: 1 }, { x: 1, y: 2 }, { bounds: [0, 1, 1, 2] })
     expectPath(two, { x: 0, y: 1 }, { x: 1, y: 2 }, path, ({ x, y }) => 0 <= x && x <= 1 && 1 <= y && y <= 2)
     expect(path?.clearance).toBe(1)

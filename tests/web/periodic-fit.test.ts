@@ -1,14 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Fits of areas in a box whose opposite sides are glued together, judged by computePeriodic.
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
 import { loadRegions, type PeriodicFitOptions } from '../../web/lib/regions.ts'
 import { problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { fitAreas } = await loadRegions({ wasm })
+const { fitAreas } = await loadRegions()
 const BOX: Lattice = { a: [4, 0], b: [1, 3] }
 
 function sitesInBox(count: number): [number, number][] {

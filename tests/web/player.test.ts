@@ -40,9 +40,6 @@ const circlesOf = (trace: Trace, given: Float64Array, step: Step) => {
   return (id: number) => circles.get(id)
 }
 
-/** A canvas of which only some members are used. */
-const canvasOf = (canvas: object) => canvas as HTMLCanvasElement
-
 describe('the steps of a trace', () => {
   it.each(ways)('are all that happens, in order: %s %o', (program, options) => {
     for (const circles of [SMALL, randomCircles(16, 3), new Float64Array(), Float64Array.of(0, 0, 1, 4, 0, 1)]) {
@@ -119,36 +116,29 @@ describe('the steps of a trace', () => {
     expect(new Set(counts).size).toBeGreaterThan(2)
   })
 
-  it('are marked by kind as far as the canvas is wide, also where that has changed', () => {
-    vi.stubGlobal('devicePixelRatio', 1)
+  it.each([1, 2])('are marked by kind across the timeline, with dots for breakpoints: pixel ratio %d', (pixelRatio) => {
+    vi.stubGlobal('devicePixelRatio', pixelRatio)
     const steps = stepsOf(library.trace(SMALL))
-    for (const clientWidth of [400, 90, 300]) {
-      let rightmost = 0
+    for (const clientWidth of [400, 90, 101]) {
+      const dots: number[][] = []
+      const ends: number[] = []
       const colors = new Set<string>()
       const context = {
         fillStyle: '',
         fillRect: (x: number, _: number, width: number) => {
-          rightmost = Math.max(rightmost, x + width)
+          ends.push(x + width)
           colors.add(context.fillStyle)
         },
+        beginPath() {},
+        fill() {},
+        arc: (...dot: number[]) => dots.push(dot.slice(0, 3)),
       }
-      const canvas = canvasOf({ clientWidth, clientHeight: 20, getContext: () => context })
-      drawTimeline(canvas, steps, 0, new Set(), COLORS)
-      expect(Math.abs(rightmost - clientWidth)).toBeLessThan(2)
+      const canvas = { clientWidth, clientHeight: 20, getContext: () => context } as object as HTMLCanvasElement
+      drawTimeline(canvas, steps, 0, new Set([0, steps.length - 1]), COLORS)
+      expect(Math.abs(Math.max(...ends) - clientWidth * pixelRatio)).toBeLessThan(2 * pixelRatio)
       expect(colors.size).toBeGreaterThan(4)
+      expect(dots).toEqual([0, clientWidth * pixelRatio - 1].map((x) => [x, 16 * pixelRatio, 4 * pixelRatio]))
     }
-    vi.unstubAllGlobals()
-  })
-
-  it.each([1, 2])('have dots for breakpoints at the lower edge, at %d device pixels per pixel', (pixelRatio) => {
-    vi.stubGlobal('devicePixelRatio', pixelRatio)
-    const dots: number[][] = []
-    const context = { fillRect() {}, beginPath() {}, fill() {}, arc: (...dot: number[]) => dots.push(dot.slice(0, 3)) }
-    const canvas = canvasOf({ clientWidth: 101, clientHeight: 20, getContext: () => context })
-    const steps = stepsOf(library.trace(SMALL)).slice(0, 11)
-    drawTimeline(canvas, steps, 0, new Set([0, 5, 10]), COLORS)
-    const width = 101 * pixelRatio - 1
-    expect(dots).toEqual([0, width / 2, width].map((x) => [x, 16 * pixelRatio, 4 * pixelRatio]))
     vi.unstubAllGlobals()
   })
 })
@@ -258,22 +248,6 @@ describe('what is shown beside a step', () => {
       }
     }
     expect(arcs).toBe(hull.length)
-  })
-
-  it('has an arc all around a circle with one neighbor, from where that touches to there again', () => {
-    const two = library.trace(Float64Array.of(0, 0, 1, 4, 0, 1))
-    const state = two.at(two.length)
-    for (const [id, angle] of [
-      [0, 0],
-      [1, 0.5],
-    ] as const) {
-      const { marks, unused } = ringOf(two, state, id, { x: 4 * id, y: 0, r: 1 })
-      expect(unused).toEqual([{ from: angle, to: angle + 1 }])
-      expect(marks.map(({ isOut, other }) => [isOut, other])).toEqual([
-        [true, 1 - id],
-        [false, 1 - id],
-      ])
-    }
   })
 
   it('draws the bisector of two circles as points with the same distance from both', () => {

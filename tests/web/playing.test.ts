@@ -208,33 +208,6 @@ describe('the player', () => {
     expect([place === 0, step()], 'a jump ends playback').toEqual([false, place])
   })
 
-  it('has the list of waiting discs, and the ring of the selected circle or of the first one of the step', async () => {
-    const { events, steps } = played()
-    expect([text().includes(WORDS.queue(0)), text().includes(WORDS.selectOne)]).toEqual([true, true])
-    const at = steps.findIndex(({ line }) => line === 'place')
-    const [id] = events.event((steps[at] as Step).event).circles as [number]
-    await go(steps.findIndex(({ line }) => line === 'pairs'))
-    const count = all(root(), '.queue li').length + Number(/and (\d+) more/.exec(text())?.[1] ?? 0)
-    expect([count > 6, text().includes(WORDS.queue(count))]).toEqual([true, true])
-    await go(at)
-    expect(text()).toContain(WORDS.aroundCircle(id, false))
-    // A ring with one neighbor: an edge out and one in at the same place, and the arc between them, in two parts.
-    const ring = root().querySelector('svg.ring') as SVGElement
-    const x = ring.querySelector('svg')?.getAttribute('x')
-    const ends = [...ring.querySelectorAll('.unused')].map((line) =>
-      ['x1', 'x2'].map((name) => line.getAttribute(name)),
-    )
-    expect(ends).toEqual([
-      [x, '97.00%'],
-      ['3.00%', x],
-    ])
-    expect(ring.querySelector('.foot')?.getAttribute('cx')).toBe(x)
-    expect(ring.querySelectorAll('.mark')).toHaveLength(2)
-    figure.actions.select([4])
-    await quiet()
-    expect(text()).toContain(WORDS.aroundCircle(4, true))
-  })
-
   it('has its texts in the language of the page', async () => {
     words = { ...WORDS, lang: 'xx', play: 'PLAY', told: () => 'Zu viele.' }
     figure.stepping.redraw()

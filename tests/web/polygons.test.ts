@@ -7,7 +7,7 @@ import { convexHull, type Diagram, type Outline, type Point, type Polygon, polyl
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, signedDistance } from './oracle.ts'
-import { doubleArea } from './recording-sink.ts'
+import { doubleArea, windingOf } from './recording-sink.ts'
 
 const pointsOf = (polygon: Polygon): Point[] => polygon.slice(1).map(([x, y]) => ({ x, y }))
 
@@ -30,16 +30,6 @@ function crossesItself(polygon: readonly Point[], margin: number): boolean {
       return isApart(height(u, v, p), height(u, v, q))
     })
   })
-}
-
-/** The winding number of a closed polygon around a point. */
-function windings(polygon: readonly Point[], { x, y }: Point): number {
-  return polygon.reduce((count, a, k) => {
-    const b = polygon[(k + 1) % polygon.length] as Point
-    if (a.y <= y === b.y <= y) return count
-    const isLeft = height(a, b, { x, y }) > 0
-    return isLeft === b.y > a.y ? count + (b.y > a.y ? 1 : -1) : count
-  }, 0)
 }
 
 /**
@@ -114,7 +104,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
         fc.pre((distances[1] ?? Infinity) > (distances[0] as number) + 20 * tolerance)
         const found = diagram.find(p.x, p.y)
         for (const polygon of diagram.cellPolygons({ bounds, tolerance })) {
-          expect(windings(pointsOf(polygon), p)).toBe(polygon.index === found ? 1 : 0)
+          expect(windingOf(pointsOf(polygon), p)).toBe(polygon.index === found ? 1 : 0)
         }
       }),
       { numRuns: 50 },

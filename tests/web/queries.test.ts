@@ -14,7 +14,7 @@ import {
 } from '../../web/lib/index.ts'
 import { KINDS, unit } from './arbitrary-circles.ts'
 import { library, seededRandom } from './library.ts'
-import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
+import { boxAround, depthIn, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
 
 const DIRECTIONS = Array.from({ length: 720 }, (_, k) => ({
   x: Math.cos((2 * Math.PI * k) / 720),
@@ -118,14 +118,7 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         const region = isBox
           ? ConvexPolygon.of(box)
           : ConvexPolygon.from(corners.map(({ x, y }) => pointIn(box, 0.5 + x, 0.5 + y)))
-        const depthOf = (p: Point) =>
-          Math.min(
-            ...region.corners.map((corner, k) => {
-              const after = region.cornerAfter(k)
-              const [dx, dy] = [after.x - corner.x, after.y - corner.y]
-              return (dx * (p.y - corner.y) - dy * (p.x - corner.x)) / Math.hypot(dx, dy)
-            }),
-          )
+        const depthOf = (point: Point) => depthIn(region, point)
         const largest = largestEmptyDiscInside(diagram, { bounds: region })
         if (largest === undefined) throw new Error('There is no disc.')
         const { disc, circles: touched } = largest

@@ -62,3 +62,14 @@ export function doubleArea(polygon: readonly Point[]): number {
     return sum + p.x * q.y - q.x * p.y
   }, 0)
 }
+
+/** The winding number of a closed polygon around a point. */
+export function windingOf(polygon: readonly Point[], { x, y }: Point): number {
+  return polygon.reduce((count, a, k) => {
+    const b = polygon[(k + 1) % polygon.length] as Point
+    if (a.y <= y === b.y <= y) return count
+    const side = (b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)
+    const turn = b.y > a.y ? 1 : -1
+    return side * turn > 0 ? count + turn : count
+  }, 0)
+}

@@ -1,13 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { readRegion } from '../../web/view/region-text.ts'
 import { errorOf } from './errors.ts'
 
-const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const { region } = await loadRegions({ wasm })
+const { region } = await loadRegions()
 
 const POLYGON = '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4]]]}'
 const LEVELS = [

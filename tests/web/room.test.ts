@@ -4,18 +4,13 @@ import { describe, expect, it } from 'vitest'
 import { circleOf } from '../../web/lib/base/diagram-data.ts'
 import { roomNear } from '../../web/view/painter/room.ts'
 import { dataSet, library, seededRandom } from './library.ts'
+import { leastDistance } from './oracle.ts'
 
 const random = seededRandom(46)
 
 /** The distance of a circle from the nearest other one, below zero if they overlap. */
-function clearance(circles: Float64Array, { x, y, r }: { x: number; y: number; r: number }): number {
-  let least = Number.POSITIVE_INFINITY
-  for (let i = 0; i < circles.length / 3; i++) {
-    const other = circleOf(circles, i)
-    least = Math.min(least, Math.hypot(x - other.x, y - other.y) - r - other.r)
-  }
-  return least
-}
+const clearance = (circles: Float64Array, circle: { x: number; y: number; r: number }) =>
+  leastDistance(circles, circle) - circle.r
 
 describe('room for a circle', () => {
   it.each(['bronzefilter', 'start', 'spruces'])('is free, and stays so for the next one, in %s', (name) => {

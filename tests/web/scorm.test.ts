@@ -58,19 +58,6 @@ describe('a session of a course', () => {
     expect(system.values['cmi.core.exit']).toBe('')
   })
 
-  it('goes on where it was, and takes no pass away', async () => {
-    const before = new System()
-    const first = new ScormSession(before, true)
-    await first.tell(told(false, [[1, 2, 3]]))
-    first.finish()
-    expect(before.values['cmi.core.exit']).toBe('suspend')
-    const again = new ScormSession(new System(before.values), true)
-    expect((await decodeLink(again.suspended)).circles).toEqual(Float64Array.of(1, 2, 3))
-    const passed = new System({ 'cmi.core.lesson_status': 'passed' })
-    new ScormSession(passed, true).finish()
-    expect(passed.values['cmi.core.lesson_status']).toBe('passed')
-  })
-
   it('is completed where there is nothing to pass, and keeps no circles that are too many', async () => {
     const system = new System()
     const session = new ScormSession(system, false)
@@ -139,6 +126,6 @@ describe('a session of a course', () => {
   it('tells times as hours, minutes and seconds', () => {
     expect(durationOf(0)).toBe('0000:00:00.00')
     expect(durationOf(3_723_450)).toBe('0001:02:03.45')
-    expect(durationOf(59_999)).toBe('0001:00:00.00'.replace('0001:00', '0000:01'))
+    expect(durationOf(59_999)).toBe('0000:01:00.00')
   })
 })

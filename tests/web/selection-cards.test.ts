@@ -55,54 +55,6 @@ describe('the card of the selected circle', () => {
     expect(control(card(), label).value).toBe(String({ x: 10, y: 9, r: 2 }[label as 'x']))
   })
 
-  it('gives the focus to the figure at Escape, when it is deselected, and when its circle is deleted', async () => {
-    for (const leave of [
-      async () => send(control(card(), 'x'), 'keydown', { key: 'Escape' }),
-      async () => pressed(card(), 'Deselect'),
-      async () => page.actions.removeSelected(),
-    ]) {
-      await select(3)
-      control(card(), 'x').focus()
-      await leave()
-      await quiet()
-      expect(document.activeElement).toBe(element('figure'))
-    }
-    expect([card().hidden, ids()]).toEqual([true, [0, 1, 2, 4]])
-  })
-
-  it('has the columns of the file beside the name', async () => {
-    const data = element('inspector-data')
-    for (const [id, text] of [
-      [0, '7'],
-      [1, 'x'],
-      [2, '–'],
-    ] as const) {
-      await select(id)
-      expect([data.hidden, all(data, 'dt').map(textOf), textOf(data.querySelector('dd'))]).toEqual([false, ['n'], text])
-    }
-    await page.open(FIVE)
-    await select(0)
-    expect(data.hidden).toBe(true)
-  })
-
-  it('goes to a neighbor, which is highlighted while the pointer is on its button', async () => {
-    const chips = () => [...controls(element('inspector-neighbors')).keys()]
-    expect(chips().sort()).toEqual(['Aa', 'Bb', 'Circle 2', 'Circle 4'])
-    const chip = control(element('inspector-neighbors'), 'Bb')
-    for (const [type, hovered] of [
-      ['pointerenter', 1],
-      ['pointerleave', undefined],
-    ] as const) {
-      send(chip, type)
-      expect(page.store.get().hovered).toBe(hovered)
-    }
-    chip.focus()
-    chip.click()
-    await quiet()
-    expect(selection()).toEqual([1])
-    expect(element('inspector-neighbors').contains(document.activeElement), 'the focus stays').toBe(true)
-  })
-
   it('has at most 500 neighbors', async () => {
     const around = (count: number) => {
       const angles = Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count)

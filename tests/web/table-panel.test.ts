@@ -10,7 +10,6 @@ const COLUMNS = [
   { name: 'name', values: ['"b 10"', '"b 9"', '', '"a"'] },
   { name: 'n', values: ['3', '', '1', '2'] },
 ]
-const MANY = Float64Array.from({ length: 300 }, (_, k) => [k, k % 7, 0.1][k % 3] as number)
 
 let page: Awaited<ReturnType<typeof wholePage>>
 const grid = () => element('circle-grid')
@@ -164,54 +163,9 @@ describe('the rows of the table', () => {
     vi.useRealTimers()
     await soon(() => expect(ids()).toEqual([4, 0, 3, 1]))
   })
-
-  it('by number are those of the circles at once', async () => {
-    await page.editing.edit([{ kind: 'remove', id: 1 }])
-    await quiet()
-    expect(ids()).toEqual([0, 2, 3])
-  })
 })
 
 describe('keys in the table', () => {
-  it('go to cells, alone or with all rows between, as far as there are any', async () => {
-    await page.open(MANY)
-    grid().focus()
-    await key('Home', { metaKey: true })
-    await key('Home')
-    for (const [name, more, place, selected] of [
-      ['ArrowRight', {}, '0 x', 1],
-      ['ArrowDown', {}, '1 x', 1],
-      ['ArrowDown', { shiftKey: true }, '2 x', 2],
-      ['ArrowUp', {}, '1 x', 1],
-      // A page leaves out two rows.
-      ['PageDown', {}, '4 x', 1],
-      ['PageUp', {}, '1 x', 1],
-      ['PageUp', {}, '0 x', 1],
-      ['End', { ctrlKey: true }, '99 x', 1],
-      ['ArrowDown', {}, '99 x', 1],
-      ['PageDown', {}, '99 x', 1],
-      ['Home', { metaKey: true }, '0 x', 1],
-      ['ArrowRight', {}, '0 y', 1],
-      ['End', {}, '0 name', 1],
-      ['ArrowRight', {}, '0 name', 1],
-      ['Home', {}, '0 #', 1],
-      ['ArrowLeft', {}, '0 #', 1],
-      ['ArrowUp', {}, 'heading #', 1],
-      ['ArrowUp', {}, 'heading #', 1],
-    ] as const) {
-      expect([name, await key(name, more), current(), selection().length]).toEqual([name, true, place, selected])
-    }
-    for (const name of ['Enter', 'F2', ' ']) {
-      await key(name)
-      expect(current()).toBe('heading #')
-    }
-    expect(ids()[0], 'sorted three times').toBe(99)
-    await key('Enter')
-    await key('ArrowDown')
-    await key(' ')
-    expect(selection()).toEqual([])
-  })
-
   it.each([
     ['x', '1', {}, '1'],
     ['x', '.', {}, '.'],
@@ -271,21 +225,6 @@ describe('clicks in the table', () => {
     page.actions.select([3])
     await quiet()
     expect([input()?.parentElement, current()]).toEqual([cell(1, 'y'), '1 y'])
-    await key('Escape')
-  })
-
-  it('twice edit a cell, not a heading nor what is measured', async () => {
-    await click(headings()[1], {}, 'dblclick')
-    await edit(1, 'area')
-    expect(input()).toBeNull()
-    await edit(1, 'y')
-    expect(field()).toMatchObject({ value: '5', inputMode: 'decimal', selectionStart: 0, selectionEnd: 1 })
-    expect(field().getAttribute('aria-label')).toBe('y of row 2')
-    await click(field())
-    expect(input()).not.toBeNull()
-    await key('Escape')
-    await edit(1, 'name')
-    expect(field()).toMatchObject({ value: 'b 9', inputMode: 'text' })
     await key('Escape')
   })
 })

@@ -2,7 +2,6 @@
 // Tables of other programs, names of circles, and pictures as circles.
 import { describe, expect, it } from 'vitest'
 import { guessedColumns, nameOfColumn, type Table, unknownTable } from '../../web/app/files/columns.ts'
-import { stippled } from '../../web/app/files/stipple.ts'
 import { randomNumbers } from '../../web/app/random-numbers.ts'
 import { attributesOf, columnsOf } from '../../web/editing/attributes.ts'
 import { loadFiles } from '../../web/lib/files.ts'
@@ -149,27 +148,6 @@ it('names and colors are read from tables, objects and GeoJSON', () => {
   }))
   expect(namedCirclesOfText(JSON.stringify({ type: 'FeatureCollection', features })).columns).toEqual(columns)
   expect(namedCirclesOfText('x,y,r\n1,2,3\n').columns).toEqual([])
-})
-
-it('a picture becomes circles in its colors that do not overlap, most of them where it is dark, the same each time', () => {
-  const [width, height] = [60, 40]
-  const data = Array.from({ length: width * height }, (_, k) =>
-    k % width < 30 ? [20, 0, 9, 255] : [255, 250, 240, 255],
-  )
-  const pixels = { width, height, data: data.flat() }
-  const { circles, colors } = stippled(pixels, randomNumbers(1), 120)
-  expect(stippled(pixels, randomNumbers(1), 120)).toEqual({ circles, colors })
-  colors.forEach((color, i) => {
-    const x = circles[3 * i] as number
-    if (x < 26) expect(color).toBe('#140009')
-    if (x > 40) expect(color).toBe('#fffaf0')
-  })
-  const all = Array.from({ length: 120 }, (_, i) => [...circles.subarray(3 * i, 3 * i + 3)] as [number, number, number])
-  expect(all.filter(([x]) => x < 30).length).toBeGreaterThan(90)
-  for (const [i, [x, y, r]] of all.entries()) {
-    expect(r).toBeGreaterThan(0)
-    for (const [u, v, s] of all.slice(i + 1)) expect(Math.hypot(x - u, y - v)).toBeGreaterThan(r + s)
-  }
 })
 
 it('pseudorandom numbers are those of mulberry32', () => {

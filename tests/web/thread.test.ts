@@ -4,7 +4,6 @@ import { readFileSync } from 'node:fs'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { answerRequests } from '../../web/lib/threads/answer-requests.ts'
 import type { ComputeRequest, EditorCalls, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
-import { circleVoronoiOf } from '../../web/lib/wasm/library.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -85,36 +84,12 @@ describe('what a thread answers', () => {
     expect(transfer).toHaveLength(new Set(transfer).size)
   })
 
-  it('tells progress and steps if it is to', async () => {
-    const { said, ask } = answering()
-    await ask({ module: await module })
-    await ask({ ...request(), tellsProgress: true, options: { method: 'touching-disc' } })
-    const stages = said.splice(0).flatMap(([reply]) => ('progress' in reply ? [reply.progress[0]] : []))
-    expect([...new Set(stages)]).toEqual(['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'])
-    await ask(await fitOf({}, { region, tellsProgress: true }))
-    const steps = said.flatMap(([reply]) => ('step' in reply ? [reply.step.steps] : []))
-    expect(steps).toEqual(Array.from({ length: said.length - 1 }, (_, step) => step))
-  })
-
   it('is a fit, though the module did not load the first time', async () => {
     const { said, ask } = answering()
     const wrong = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0))
     for (const more of [{ wasm: wrong }, {}]) await ask(await fitOf({}, { region, ...more }))
     const kinds = said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))
     expect(kinds).toEqual(['notLoaded', 'fit'])
-  })
-
-  it('is the reason for which the module does not load, each time', async () => {
-    const { said, ask } = answering()
-    const broken = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0))
-    await ask({ module: broken })
-    // The failure before the first request is not unhandled.
-    await expect(circleVoronoiOf(broken)).rejects.toThrow('cannot be loaded')
-    await new Promise((resolve) => setImmediate(resolve))
-    await ask(request())
-    await ask(request())
-    expect(said).toHaveLength(2)
-    for (const [reply] of said) expect(reply).toMatchObject({ error: { code: 'notLoaded', circle: undefined } })
   })
 
   it('is what else went wrong, in one sentence', async () => {

@@ -142,11 +142,7 @@ describe('a trace', () => {
   })
 
   it('takes samples on circles less the smallest radius, and joins them', () => {
-    const trace = library.trace([
-      [0, 0, 3],
-      [10, 0, 1],
-      [4, 9, 2],
-    ])
+    const trace = library.trace(Float64Array.of(0, 0, 3, 10, 0, 1, 4, 9, 2))
     const { samples, sampleEdges } = trace.at(trace.length)
     const radii = [2, 0, 1]
     for (const k of samples) {

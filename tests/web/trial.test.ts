@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { NO_PADDING } from '../../web/view/camera.ts'
-import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { drawOverlay, NOTHING_STANDS_OUT } from '../../web/view/overlay.ts'
 import { idOf } from '../../web/view/painter/cell-boxes.ts'
 import { cellArea } from '../../web/view/painter/measures.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
-import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { trialOf } from '../../web/view/painter/trial.ts'
-import type { Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 
 const noOutline = () => new Float64Array()
@@ -80,35 +75,5 @@ describe('what a circle would take', () => {
     const picture = new Picture(library.edit([]))
     const trial = trialOf(library, picture, { x: 1, y: 2, r: 1 }, -1, noOutline)
     expect(trial).toMatchObject({ hiddenBy: undefined, area: Number.POSITIVE_INFINITY, taken: [] })
-  })
-
-  it('is told at the circles from which it is taken', () => {
-    // Two by two circles; the new one takes a quarter from each.
-    const picture = new Picture(library.edit(Float64Array.of(-4, -4, 1, 4, -4, 1, -4, 4, 1, 4, 4, 1)))
-    const trial = trialOf(library, picture, { x: 0, y: 0, r: 0 }, 0, noOutline)
-    expect(trial.taken).toHaveLength(4)
-    const drawing = new SvgDrawing()
-    const style = new Proxy({}, { get: (_, name) => name }) as Style
-    const frame = { x: 0, y: 0, scale: 10, width: 100, height: 200 }
-    drawOverlay(drawing, frame, 1, style, {
-      ...NOTHING_STANDS_OUT,
-      above: [],
-      names: { list: [], circleOf: () => undefined },
-      covered: NO_PADDING,
-      found: undefined,
-      layers: DEFAULT_LAYERS,
-      trial,
-    })
-    const told = [...String(drawing).matchAll(/<text x="([\d.]+)" y="([\d.]+)".*?>(.*?)<\/text>/g)]
-    expect(told.map(([, x, y, text]) => [Number(x), Number(y), text]).sort()).toEqual(
-      [
-        [10, 140],
-        [90, 140],
-        [10, 60],
-        [90, 60],
-      ]
-        .map(([x, y]) => [x, y, `−${Number((trial.area / 4).toPrecision(3))}`])
-        .sort(),
-    )
   })
 })

@@ -47,14 +47,7 @@ const seconds = (time: string) => Number.parseFloat(time) * (/µs/.test(time) ? 
 test('chapter 2: a shorter piece of a hyperbola has a weight nearer to 1, and none less', () => {
   expectSaid(2, 'For hyperbolas $w$ is above 1')
   expect(figure('bezier-arc').answer).toMatch(/^It comes nearer to 1/)
-  const { bisector } = edgeCurve(
-    library.compute([
-      [0, 0, 3],
-      [10, 1, 1],
-      [4, 9, 2],
-    ]),
-    0,
-  )
+  const { bisector } = edgeCurve(library.compute(Float64Array.of(0, 0, 3, 10, 1, 1, 4, 9, 2)), 0)
   const start = pointAt(bisector, 1)
   const weights = [8, 4, 2, 1.1].map(
     (to) => rationalBezier({ bisector, from: 1, to, start, end: pointAt(bisector, to) }).weight,

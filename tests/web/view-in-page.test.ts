@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A view with its thread, without pixels: what is drawn above the picture, what is written, and what it tells.
+// A view with its thread, without pixels: what it tells, its layers and its pictures.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { mount } from '../../web/view/mount.ts'
-import type { GlobalResults } from '../../web/view/protocol.ts'
 import type { View } from '../../web/view/view.ts'
 import { held } from './element-page.ts'
+import { draws } from './page-canvas.ts'
 import { make, measure } from './page-document.ts'
 import { quiet, soon, surround } from './whole-page.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5)
 const { media } = surround()
-
-/** The numbers of calls on each canvas since the last look. */
-const calls = new WeakMap<HTMLCanvasElement, number>()
-HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement) {
-  const draw = (name: PropertyKey) => () => {
-    if (/^(fill|stroke|fillText|drawImage)$/.test(String(name))) calls.set(this, (calls.get(this) ?? 0) + 1)
-    return { width: 0 }
-  }
-  return new Proxy({} as Record<PropertyKey, unknown>, { get: (set, name) => (name in set ? set[name] : draw(name)) })
-} as never
 
 let view: View
 let place: HTMLElement
@@ -44,15 +34,6 @@ afterEach(async () => {
 })
 
 const canvases = () => [...place.querySelectorAll('canvas')]
-/** Returns how much was drawn above the picture since the last call. */
-async function drawnAbove(): Promise<number> {
-  await quiet()
-  const [, overlay] = canvases() as [HTMLCanvasElement, HTMLCanvasElement]
-  const count = calls.get(overlay) ?? 0
-  calls.set(overlay, 0)
-  return count
-}
-
 /** The events of a name, as they come. */
 function heard(name: Parameters<View['on']>[0]) {
   const told: unknown[] = []
@@ -60,93 +41,31 @@ function heard(name: Parameters<View['on']>[0]) {
   return told
 }
 
-describe('above the picture', () => {
-  it('the disc of the pointer is drawn while that layer is visible, and the newest place counts', async () => {
-    const here = { x: 5, y: 3 }
-    await view.touch(here, 9)
-    expect(await drawnAbove()).toBe(0)
-    view.setLayers({ disc: true })
-    expect(await drawnAbove()).toBe(0)
-    await Promise.all([view.touch(here, 9), view.touch(undefined, 9)])
-    expect(await drawnAbove()).toBe(0)
-    await view.touch(here, 9)
-    expect(await drawnAbove()).toBeGreaterThan(0)
-    await view.touch(here, 9)
-    await view.apply([{ kind: 'replace', id: 0, circle: { x: 0, y: 1, r: 2 } }])
-    await quiet()
-    calls.delete(canvases()[1] as HTMLCanvasElement)
-    view.setCamera({ x: 5, y: 4, scale: 4.5 })
-    expect(await drawnAbove()).toBe(0)
-  })
-
-  it.each([
-    [
-      'a band',
-      () => Object.assign(view, { band: { from: { x: 1, y: 1 }, to: { x: 9, y: 9 } } }),
-      () => Object.assign(view, { band: undefined }),
-    ],
-    [
-      'a sketch',
-      () => Object.assign(view, { sketch: Float64Array.of(0, 0, 9, 9) }),
-      () => Object.assign(view, { sketch: undefined }),
-    ],
-    [
-      'a layer of a client',
-      () => Object.assign(view, { above: [{ id: 'a', color: 'red', points: Float64Array.of(1, 1) }] }),
-      () => Object.assign(view, { above: [] }),
-    ],
-    ['a name', () => view.setIdentities([{ id: 0, text: 'A' }], undefined), () => view.setIdentities([], undefined)],
-    ['a highlight', () => view.select(1), () => view.select(undefined)],
-  ] as const)('%s is drawn with the next frame, and gone once it is taken away', async (_, show, hide) => {
-    show()
-    expect(await drawnAbove()).toBeGreaterThan(0)
-    hide()
-    await quiet()
-    calls.delete(canvases()[1] as HTMLCanvasElement)
-    view.setCamera({ x: 6, y: 4, scale: 4 })
-    expect(await drawnAbove()).toBe(0)
-  })
-
-  it('the selection has a handle at its corner, which scales about its middle', () => {
-    expect(view.handleAt({ x: 0, y: 0 }, 1e9)).toBeUndefined()
-    view.choose([
-      { x: 0, y: 0, r: 1 },
-      { x: 10, y: 4, r: 2 },
-    ])
-    // The handle is a little outside of the corner.
-    const handle = ({ x, y } = { x: 12, y: -1 }) => {
-      const corner = view.toScreen({ x, y })
-      return { x: corner.x + 7, y: corner.y + 7 }
-    }
-    const corner = handle()
-    expect(view.handleAt({ x: corner.x + 8, y: corner.y }, 0)).toEqual({ x: 5.5, y: 2.5 })
-    expect(view.handleAt({ x: corner.x + 8.1, y: corner.y }, 0)).toBeUndefined()
-    expect(view.handleAt({ x: corner.x, y: corner.y + 10 }, 2)).toBeDefined()
-    // The handle of one circle is at its rim.
-    view.choose([{ x: 0, y: 0, r: 2 }])
-    expect(view.handleAt(handle({ x: Math.SQRT2, y: -Math.SQRT2 }), 0)).toEqual({ x: 0, y: 0 })
-    view.choose([])
-    expect(view.handleAt(corner, 1e9)).toBeUndefined()
-  })
-
-  it('an end of the path is found at its pixel, the last one if both are there, and moved', async () => {
-    const found = heard('found')
-    view.setCamera({ x: 0, y: 0, scale: 10 })
-    view.movePathEnd('to', { x: 1, y: 1 })
-    expect(view.layers.path).toBeUndefined()
-    const path = (x: number) => view.setLayers({ path: { from: { x: 0, y: 0 }, to: { x, y: 0 } } })
-    path(3)
-    expect([40, 70, 55].map((x) => view.pathEndAt({ x, y: 30 }, 0))).toEqual(['from', 'to', undefined])
-    expect(view.pathEndAt({ x: 55, y: 30 }, 20)).toBe('to')
-    path(0)
-    expect(view.pathEndAt({ x: 40, y: 30 }, 0)).toBe('to')
-    view.movePathEnd('to', { x: 1, y: 1 })
-    expect(view.layers.path).toEqual({ from: { x: 0, y: 0 }, to: { x: 1, y: 1 } })
-    await soon(() => expect(found.at(-1)).toMatchObject({ path: expect.anything() }))
-    view.movePathEnd('to', { x: 2, y: 9 })
-    const outline = () => [...((found.at(-1) as GlobalResults).path?.outline ?? [])]
-    await soon(() => expect(outline()).toEqual(expect.arrayContaining([2, 9])))
-  })
+it.each<[string, () => unknown, () => unknown]>([
+  [
+    'a band',
+    () => Object.assign(view, { band: { from: { x: 1, y: 1 }, to: { x: 9, y: 9 } } }),
+    () => Object.assign(view, { band: undefined }),
+  ],
+  [
+    'a sketch',
+    () => Object.assign(view, { sketch: Float64Array.of(0, 0, 9, 9) }),
+    () => Object.assign(view, { sketch: undefined }),
+  ],
+  ['a name', () => view.setIdentities([{ id: 0, text: 'A' }], undefined), () => view.setIdentities([], undefined)],
+  ['a highlight', () => view.select(1), () => view.select(undefined)],
+])('%s is drawn above the picture with the next frame, and gone once it is taken away', async (_, show, hide) => {
+  const overlay = canvases()[1] as HTMLCanvasElement
+  draws.delete(overlay)
+  show()
+  await quiet()
+  expect(draws.get(overlay)).toBeGreaterThan(0)
+  hide()
+  await quiet()
+  draws.delete(overlay)
+  view.setCamera({ x: 6, y: 4, scale: 4 })
+  await quiet()
+  expect(draws.get(overlay)).toBeUndefined()
 })
 
 describe('a view tells', () => {

@@ -14,6 +14,7 @@ import { Picture } from '../../web/view/painter/picture.ts'
 import { pictureFrame } from '../../web/view/picture-frame.ts'
 import type { PixelBox } from '../../web/view/protocol.ts'
 import { library, seededRandom } from './library.ts'
+import { signedDistance } from './oracle.ts'
 
 const SIZE = { width: 800, height: 600 }
 const camera = fc.record({
@@ -132,11 +133,8 @@ describe('the cell that is hit', () => {
       for (let k = 0; k < 200; k++) {
         const [x, y] = [2 * random() - 0.5, 2 * random() - 0.5]
         const hit = table.hitAt({ x, y }, 0)
-        const excess = (id: number) =>
-          Math.hypot((circles[3 * id] as number) - x, (circles[3 * id + 1] as number) - y) -
-          (circles[3 * id + 2] as number)
         if (hit?.part === 'cell') expect(hit.id).toBe(scene.nearest(x, y))
-        else expect(excess(hit?.id as number)).toBeLessThanOrEqual(0)
+        else expect(signedDistance(circles, hit?.id as number, { x, y })).toBeLessThanOrEqual(0)
       }
     }
   })

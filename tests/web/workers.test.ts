@@ -8,13 +8,13 @@ import {
   type Circles,
   CircleVoronoiError,
   type DiagramEditor,
-  type Edit,
   loadCircleVoronoi,
   type Options,
 } from '../../web/lib/index.ts'
 import type { RegionModule } from '../../web/lib/regions/region.ts'
 import { loadRegions, Region } from '../../web/lib/regions.ts'
 import { type AsyncDiagramEditor, type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
+import { action as actionOf, editOf } from './arbitrary-circles.ts'
 import { contentOf } from './edit-script.ts'
 import { ThreadHere } from './page-threads.ts'
 import { fetchHere } from './whole-page.ts'
@@ -46,13 +46,13 @@ const options: fc.Arbitrary<Options> = fc.record(
 )
 const progress = fc.constantFrom(undefined, undefined, 'told' as const, 'throws' as const)
 const action = fc.oneof(
-  fc.record({ kind: fc.constant('compute' as const), circles, options, signal, progress }),
-  fc.record({ kind: fc.constant('periodic' as const), circles, options, signal, progress }),
-  fc.record({ kind: fc.constant('fit' as const), circles, signal, progress }),
-  fc.record({ kind: fc.constant('fitInBox' as const), circles, signal, progress }),
-  fc.record({ kind: fc.constant('abort' as const), which: fc.nat(2) }),
-  fc.record({ kind: fc.constant('break' as const), which: fc.nat(2) }),
-  fc.record({ kind: fc.constant('wait' as const), turns: fc.nat(40) }),
+  actionOf('compute', { circles, options, signal, progress }),
+  actionOf('periodic', { circles, options, signal, progress }),
+  actionOf('fit', { circles, signal, progress }),
+  actionOf('fitInBox', { circles, signal, progress }),
+  actionOf('abort', { which: fc.nat(2) }),
+  actionOf('break'),
+  actionOf('wait', { turns: fc.nat(40) }),
 )
 type Action = typeof action extends fc.Arbitrary<infer Value> ? Value : never
 type Request = Extract<Action, { circles: unknown }>
@@ -139,11 +139,7 @@ it('each request of a worker has the result of the library, or the reason why th
 }, 300_000)
 
 const id = fc.nat(9)
-const edit: fc.Arbitrary<Edit> = fc.oneof(
-  fc.record({ kind: fc.constant('insert' as const), circle }),
-  fc.record({ kind: fc.constant('remove' as const), id }),
-  fc.record({ kind: fc.constant('replace' as const), id, circle }),
-)
+const edit = editOf(circle)
 const call = fc.oneof(
   { weight: 4, arbitrary: fc.tuple(fc.constant('edit' as const), edit) },
   fc.tuple(fc.constant('apply' as const), fc.array(edit, { maxLength: 3 })),
@@ -292,23 +288,5 @@ describe('a worker', () => {
     const foreign = new Region(region, {} as RegionModule)
     const refused = outcomeOf(() => worker.fitAreas([[5, 1]], [1], { region: foreign }))
     expect(await refused).toMatchObject({ code: 'badOption' })
-  })
-
-  it('makes nothing once it was disposed of, also while its module comes', async () => {
-    const worker = createWorker()
-    const before = [outcomeOf(() => worker.edit(THREE)), outcomeOf(() => worker.compute(THREE))]
-    worker.dispose()
-    for (const outcome of [...before, outcomeOf(() => worker.edit(THREE))]) {
-      expect(await outcome).toMatchObject({ name: 'AbortError' })
-    }
-    expect(ThreadHere.running.size).toBe(0)
-  })
-
-  it('removes its listeners from signals', async () => {
-    using worker = createWorker()
-    const { signal } = new AbortController()
-    const [add, remove] = [vi.spyOn(signal, 'addEventListener'), vi.spyOn(signal, 'removeEventListener')]
-    await worker.compute(THREE, { signal })
-    expect(remove.mock.calls).toEqual(add.mock.calls)
   })
 })

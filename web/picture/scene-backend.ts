@@ -12,19 +12,21 @@ import type { Edited } from '../view/scene-client.ts'
 export class SceneBackend implements DiagramBackend {
   readonly scene: PaintedScene
   circles = new CircleTable(new Float64Array())
+  /** One module for all edits, because regions of another one are refused. */
+  #regions: ReturnType<typeof loadRegions> | undefined
 
   constructor(library: CircleVoronoi) {
     this.scene = new PaintedScene(library)
   }
 
   async setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
-    const opened = this.scene.open(circles, change, await regionsFor(change), kept)
+    const opened = this.scene.open(circles, change, await this.#regionsFor(change), kept)
     this.circles = new CircleTable(Float64Array.from(opened.circles ?? circles), 0, kept)
     return this.#edited(NO_CHANGE, opened.fitted, opened.colors)
   }
 
   async apply(edits: readonly Edit[], domain?: DomainChange): Promise<Edited> {
-    const { change, fitted, colors } = this.scene.edit(edits, domain, await regionsFor(domain))
+    const { change, fitted, colors } = this.scene.edit(edits, domain, await this.#regionsFor(domain))
     return this.#edited(change, fitted, colors)
   }
 
@@ -32,8 +34,10 @@ export class SceneBackend implements DiagramBackend {
     const back = this.circles.follow(change)
     return { counts: this.scene.counts(), inserted: change.inserted, back, fitted, colors, seconds: 0 }
   }
-}
 
-async function regionsFor({ region, fit }: DomainChange = {}) {
-  return (region ?? undefined) === undefined && fit === undefined ? undefined : loadRegions()
+  async #regionsFor({ region, fit }: DomainChange = {}) {
+    if ((region ?? undefined) === undefined && fit === undefined) return undefined
+    this.#regions ??= loadRegions()
+    return this.#regions
+  }
 }
