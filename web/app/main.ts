@@ -18,7 +18,6 @@ import { workOffline } from './offline.ts'
 import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
-import { mountDegrees } from './panels/degrees.ts'
 import { mountGenerate } from './panels/generate.ts'
 import { mountGroup } from './panels/group.ts'
 import { mountIdentity } from './panels/identity.ts'
@@ -104,12 +103,13 @@ const fileActions = loadedOnce(async () => {
   const { FileActions } = await import('./files/file-actions.ts')
   return new FileActions(store, editing, actions, view, { files, reader, links })
 })
-const earthActions = loadedOnce(async () => {
-  const { EarthActions } = await import('./earth/earth-actions.ts')
-  return new EarthActions(editing, actions, files)
+const degreesNotice = loadedOnce(async () => {
+  const { mountDegrees } = await import('./panels/degrees.ts')
+  mountDegrees(store, editing, actions, files)
 })
-const hasRadii = () => editing.circles.circles().some((value, k) => k % 3 === 2 && value > 0)
-mountDegrees(store, earthActions, hasRadii, complain)
+store.subscribe(({ degrees }) => {
+  if (degrees !== undefined) degreesNotice().catch(() => complain(NOT_LOADED))
+})
 mountSay(store, async (file) => {
   const opening = await fileActions().catch(() => complain(NOT_LOADED))
   await opening?.openFile(file)

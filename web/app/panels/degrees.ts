@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render } from 'lit/html.js'
+import type { Editing } from '../../editing/editing.ts'
 import type { Degrees } from '../../editing/history.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { icon } from '../../player/icon.ts'
 import { CLOSE } from '../../view/icons.ts'
-import type { EarthActions } from '../earth/earth-actions.ts'
-import { NOT_LOADED } from '../not-loaded.ts'
+import { EarthActions } from '../earth/earth-actions.ts'
+import type { FilesClient } from '../files/files-client.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
+import './degrees.css'
 
 const UNITS: Readonly<Record<Degrees['unit'], string>> = { km: 'kilometers', m: 'meters' }
 
 /** A notice that the circles are in degrees, with the offers to show them on a globe or to project them. */
 export function mountDegrees(
   store: Store<State>,
-  load: () => Promise<EarthActions>,
-  hasRadii: () => boolean,
-  complain: (problem: string) => void,
+  editing: Editing,
+  pageActions: PageActions,
+  files: Pick<FilesClient, 'call'>,
 ): void {
+  const actions = new EarthActions(editing, pageActions, files)
   const place = byId('degrees', HTMLElement)
   let shown: Degrees | undefined
   let unit: Degrees['unit'] = 'km'
 
-  const act = (name: 'showOnGlobe' | 'projectToMap') => async () => {
-    const degrees = shown
-    const actions = await load().catch(() => complain(NOT_LOADED))
-    if (degrees !== undefined) actions?.[name]({ ...degrees, unit })
+  const act = (name: 'showOnGlobe' | 'projectToMap') => () => {
+    if (shown !== undefined) actions[name]({ ...shown, unit })
   }
   const choose = ({ target }: Event) => {
     unit = (target as HTMLSelectElement).value as Degrees['unit']
@@ -51,7 +53,7 @@ export function mountDegrees(
           <button type="button" class="icon" aria-label="Dismiss" title="Dismiss" @click=${close}>${icon(CLOSE)}</button>
         </header>
         <div class="choices">
-          ${hasRadii() ? choice() : nothing}
+          ${hasRadii(editing) ? choice() : nothing}
           <button type="button" class="primary" @click=${act('showOnGlobe')}>Show on a globe</button>
           <button type="button" @click=${act('projectToMap')}>Project to a map</button>
         </div>
@@ -66,7 +68,9 @@ export function mountDegrees(
     if (degrees === undefined) return
     unit = degrees.unit
     draw()
-    // Browsers open a tab right after a click only. An error is reported when the actions are needed.
-    load().catch(() => {})
   })
+}
+
+function hasRadii({ circles }: Editing): boolean {
+  return circles.circles().some((value, k) => k % 3 === 2 && value > 0)
 }
