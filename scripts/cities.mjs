@@ -12,13 +12,13 @@ const COUNTRIES = new Set(
 )
 const FEWEST = 100_000
 /** Leaves out parts of cities and abandoned places. */
-const KINDS = /^PPL(A\d?|C)?$/
+export const KINDS = /^PPL(A\d?|C)?$/
 const EARTH_RADIUS = 6371
 /** The center of the map, and its extent on each side in kilometers, which leaves out the islands in the Atlantic. */
 const MIDDLE = { longitude: 10, latitude: 52 }
 export const REACH = 2200
 /** Radius of a city with a million inhabitants, in kilometers. Areas are proportional to populations. */
-const RADIUS = 30
+export const RADIUS = 30
 
 /** The text of the file, the largest cities first. */
 export function citiesCsv() {

@@ -116,7 +116,9 @@ ${help(spec, inline, `<button type="button" class="show" data-circles="${escaped
     return `<circle-voronoi ${written.join(' ')}><img slot="poster" src="${poster}" alt="${escaped(alt)}" loading="lazy"></circle-voronoi>`
   }
 
-  function links({ name, paper }, inline) {
+  function links({ name, kind, paper }, inline) {
+    // The playground has no globe.
+    if (kind?.startsWith('globe')) return `<a href="${PLAYGROUND}examples/globe/">Open a globe of cities</a>`
     const open = `<a class="open" href="${PLAYGROUND}#${made.get(name).link}">Open in the playground</a>`
     if (paper === undefined) return open
     return `${open} <span class="paper">${paperFigures(paper)} of the paper: ${inline(paper.note)}</span>`

@@ -59,7 +59,9 @@ export async function buildGallery(site) {
   // The library's single file fetches further modules.
   mkdirSync(`${site}/lib/generated`, { recursive: true })
   copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/lib/bundle.js`)
-  for (const name of ['comparison', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
+  const modules = ['comparison', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
+  // Scripts of examples contain those of these modules.
+  for (const name of [...modules, 'files.wasm', 'sphere.wasm']) {
     const file = `lib/generated/circle-voronoi-${name}`
     copyFileSync(`${ROOT}dist/${file}`, `${site}/${file}`)
   }
@@ -80,17 +82,23 @@ async function putPage(folder, files, target) {
   mkdirSync(target, { recursive: true })
   const script = files.find((path) => /main\.jsx?$/.test(path))
   if (folder.endsWith('markdown')) buildMarkdown(target, `${root}/element.js`)
-  else if (script !== undefined) await bundle(script, `${target}/main.js`, `${root}/element.js`)
-  for (const path of files.filter((path) => /\.(css|html|js)$/.test(path) && path !== script)) {
-    const source = readFileSync(`${EXAMPLES}/${path}`, 'utf8')
-      .replace(IN_DIST, (_, name) => `${root}/${IN_SITE[name]}`)
-      .replace('main.jsx', 'main.js')
-    writeFileSync(`${target}/${basename(path)}`, source)
+  else if (script !== undefined) await bundle(script, `${target}/main.js`, root)
+  const copied = script === undefined ? /\.(css|html|js)$/ : /\.(css|html)$/
+  for (const path of files.filter((path) => copied.test(path))) {
+    writeFileSync(
+      `${target}/${basename(path)}`,
+      sourceInSite(`${EXAMPLES}/${path}`, root).replace('main.jsx', 'main.js'),
+    )
   }
 }
 
-/** Bundles an example with a framework, except for the element, which the site contains. */
-async function bundle(script, outfile, element) {
+/** Returns the source of an example with the addresses of the site. */
+function sourceInSite(path, root) {
+  return readFileSync(path, 'utf8').replace(IN_DIST, (_, name) => `${root}/${IN_SITE[name]}`)
+}
+
+/** Bundles an example with other packages, except for the element and the WebAssembly, which the site contains. */
+async function bundle(script, outfile, root) {
   const { build } = await import('esbuild')
   await build({
     absWorkingDir: ROOT,
@@ -112,7 +120,16 @@ async function bundle(script, outfile, element) {
       {
         name: 'element-of-the-site',
         setup: ({ onResolve }) =>
-          onResolve({ filter: /^circle-voronoi\/element$/ }, () => ({ path: element, external: true })),
+          onResolve({ filter: /^circle-voronoi\/element$/ }, () => ({ path: `${root}/element.js`, external: true })),
+      },
+      {
+        name: 'addresses-of-the-site',
+        setup: ({ onLoad }) => {
+          onLoad({ filter: /\/examples\/.*\.js$/ }, ({ path }) => ({ contents: sourceInSite(path, root) }))
+          onLoad({ filter: /\/dist\/lib\/.*\.js$/ }, ({ path }) => ({
+            contents: readFileSync(path, 'utf8').replace(/'[./]+(generated\/[\w-]+\.wasm)'/g, `'${root}/lib/$1'`),
+          }))
+        },
       },
     ],
     logLevel: 'warning',

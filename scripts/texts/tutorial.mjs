@@ -161,7 +161,7 @@ function contents(book, made, hero) {
   const html = `<div class="hero">
 <div>
 <h1>Which circle is nearest?</h1>
-<p>Circles divide the plane among themselves, along curved borders. Twelve short chapters show how to find these borders, why the method is right, and what it is good for. You can drag everything. School geometry is enough, with a little calculus in chapter 11.</p>
+<p>Circles divide the plane among themselves, along curved borders. Thirteen short chapters show how to find these borders, why the method is right, and what it is good for. You can drag everything. School geometry is enough, with a little calculus in chapter 11.</p>
 <a class="go" href="${first.file}">Start with chapter 1</a>
 </div>
 ${hero}</div>

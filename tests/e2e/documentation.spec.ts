@@ -193,7 +193,7 @@ test('the contents of the tutorial are a gallery: a figure to drag, and a pictur
     '01-nearest-circle.html',
   )
   const tiles = page.locator('.gallery a')
-  await expect(tiles).toHaveCount(12)
+  await expect(tiles).toHaveCount(13)
   for (const tile of await tiles.all()) {
     await tile.scrollIntoViewIfNeeded()
     await soon(() => tile.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(0)

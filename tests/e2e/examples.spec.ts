@@ -12,6 +12,7 @@ const PAGES = [
   'bouncing',
   'districts',
   ...readdirSync(`${EXAMPLES}element`).map((name) => `element/${name}`),
+  'globe',
   'treemap',
 ]
 

@@ -6,6 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, describe, expect, it } from 'vitest'
+import { mapped, recordOf } from '../../web/app/earth/map-projection.ts'
 
 const PROGRAM = new URL('../../build/native/circle-voronoi', import.meta.url).pathname
 const FILE = new URL('brought/degrees-and-metres.csv', import.meta.url).pathname
@@ -289,4 +290,28 @@ it('fit gives cells areas in square meters', () => {
   for (const [k, share] of [3, 1, 2].entries()) {
     expect(Math.abs((areas[k] as number) / ((share * whole) / 6) - 1)).toBeLessThan(1e-6)
   }
+})
+
+describe('the map of the playground', () => {
+  it('is that of equal-area, and the program converts it to degrees again', () => {
+    const { circles, center } = mapped(Float64Array.from(CIRCLES.flat()))
+    const { collection, ...given } = JSON.parse(run(['compute', FILE, '--project', 'equal-area']).stdout)
+    const record = JSON.parse(`{${recordOf(center)}}`)
+    expect(record).toEqual({ projection: collection.projection })
+    const expected = (given.circles as { x: number; y: number; r: number }[]).flatMap(({ x, y, r }) => [x, y, r])
+    for (const [k, value] of expected.entries()) expect(Math.abs((circles[k] as number) - value)).toBeLessThan(2e-6)
+
+    const features = CIRCLES.map((_, k) => ({
+      type: 'Feature',
+      properties: { r: circles[3 * k + 2] },
+      geometry: { type: 'Point', coordinates: [circles[3 * k], circles[3 * k + 1]] },
+    }))
+    const saved = `{"type":"FeatureCollection",${recordOf(center)},"features":${JSON.stringify(features)}}`
+    const { stdout } = run(['compute', '-'], saved)
+    const points = JSON.parse(run(['convert', '-', '--circles', '--format', 'geojson'], stdout).stdout)
+    for (const [k, [x, y]] of CIRCLES.entries()) {
+      expect(points.features[k].geometry.coordinates[0]).toBeCloseTo(x, 8)
+      expect(points.features[k].geometry.coordinates[1]).toBeCloseTo(y, 8)
+    }
+  })
 })

@@ -66,6 +66,33 @@ test('the cell under the pointer is another one once the pointer has moved', asy
   await soon(async () => before.equals(await page.screenshot())).toBe(false)
 })
 
+test('a globe turns when it is dragged, and cells cover it', async ({ page }) => {
+  await shown(page, pageOfRecipe('Show a globe with d3'))
+  await soon(() => colorsIn(page)).toBeGreaterThan(8)
+  /** The share of pixels of the globe that no cell covers. */
+  const bare = () =>
+    page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
+      const { data } = (canvas.getContext('2d') as CanvasRenderingContext2D).getImageData(0, 0, 480, 300)
+      const isOnGlobe = (k: number) => Math.hypot((k % 480) - 239.5, Math.floor(k / 480) - 149.5) < 144
+      const alphas = Array.from({ length: 480 * 300 }, (_, k) => k).filter(isOnGlobe)
+      return alphas.filter((k) => (data[4 * k + 3] as number) < 128).length / alphas.length
+    })
+  expect(await bare()).toBe(0)
+  const before = await page.screenshot()
+  await page.mouse.move(200, 150)
+  await page.mouse.down()
+  for (const [x, y] of [
+    [260, 160],
+    [320, 190],
+    [330, 120],
+  ] as const) {
+    await page.mouse.move(x, y)
+    expect(await bare()).toBe(0)
+  }
+  await page.mouse.up()
+  expect(before.equals(await page.screenshot())).toBe(false)
+})
+
 test('a component of React colors the cell under the pointer', async ({ page }) => {
   const [{ code } = { code: '' }] = inLanguage('jsx')
   const complaints = await shown(page, await pageOfComponent(code))

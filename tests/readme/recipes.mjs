@@ -9,7 +9,7 @@ import { blocksOfMarkdown } from './blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 /** Further libraries that recipes use. */
-export const OTHERS = ['d3-delaunay', 'd3-geo', 'd3-selection', 'leaflet']
+export const OTHERS = ['d3-array', 'd3-delaunay', 'd3-geo', 'd3-selection', 'internmap', 'leaflet']
 
 /** @returns {(import('./blocks.mjs').Block & { title: string, picture: string })[]} `picture` is its file */
 export function recipes() {

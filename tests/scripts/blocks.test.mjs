@@ -56,6 +56,7 @@ const EXAMPLES = {
   element: 'tests/e2e/examples.spec.ts',
   fetch_content: 'tests/package/check.cmake',
   find_package: 'tests/package/check.cmake',
+  globe: 'tests/e2e/globe.spec.ts',
   packing: 'tests/wasm/packing.test.mjs',
   tiles: 'tests/tiles/tiles.test.mjs',
   treemap: 'tests/pack/areas.spec.ts',

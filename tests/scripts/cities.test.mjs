@@ -3,10 +3,16 @@ import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { borderOfCities, textOf } from '../../scripts/border.mjs'
 import { citiesCsv } from '../../scripts/cities.mjs'
+import { worldCitiesCsv } from '../../scripts/world-cities.mjs'
 
 const FILE = readFileSync(new URL('../../public/data/cities.csv', import.meta.url), 'utf8')
 
 it('makes the file of cities that is there', () => expect(citiesCsv()).toBe(FILE))
+
+it('makes the file of cities of the world that is there', () => {
+  const file = readFileSync(new URL('../../public/data/world-cities.csv', import.meta.url), 'utf8')
+  expect(worldCitiesCsv()).toBe(file)
+})
 
 it('makes the outline of their land that is there', () => {
   const region = readFileSync(new URL('../../public/data/cities.region.json', import.meta.url), 'utf8')

@@ -5,13 +5,16 @@ import { describe, expect, it, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { loadRegions } from '../../web/lib/regions.ts'
+import { loadSphere } from '../../web/lib/sphere.ts'
 import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
 import { areaOf, areasIn, frameIn, heightOver, stiffnessIn, weighted } from '../../web/tutorial/drawn/areas.ts'
+import { seenFromLargest } from '../../web/tutorial/drawn/globe-plane.ts'
 import { frontOf, grow, tellMoment } from '../../web/tutorial/drawn/growing.ts'
 import { KINDS, type KindName } from '../../web/tutorial/drawn/kinds.ts'
 import { stepsOf } from '../../web/tutorial/drawn/newton.ts'
 import { paintCones } from '../../web/tutorial/drawn/paint-cones.ts'
 import { coordinatesOf, distance, nearest, Pen, type Scene } from '../../web/tutorial/drawn/scene.ts'
+import { distanceTo } from '../../web/tutorial/drawn/sphere.ts'
 import { panelsOf, THREE_SHARES } from '../../web/tutorial/drawn/weight-plane.ts'
 import { type DrawnSpec, sceneOf } from '../../web/tutorial/drawn.ts'
 import { shrunkenRims, stepsBetween } from '../../web/tutorial/extras.ts'
@@ -128,6 +131,61 @@ test('fewer cells of a tile are final where larger circles may lie outside', () 
   expect(counts[0]).toBeGreaterThan(counts[3] as number)
   expect(counts).toEqual([...counts].sort((one, other) => other - one))
   expect(counts[3]).toBeGreaterThan(0)
+})
+
+describe('circles on a globe', async () => {
+  const { computeSphere } = await loadSphere()
+
+  it('keep all cells when their radii become smaller by the same angle', () => {
+    const scene = drawnScene('globe-radii')
+    const { last } = KINDS['globe-radii'].range(scene, library)
+    const cellsAt = (value: number) =>
+      KINDS['globe-radii'].draw(scene, value, library).content.match(/<path class="cell rows c\d" d="[^"]*"/g)
+    expect(cellsAt(0)).toHaveLength(6)
+    for (const value of [last / 3, last / 2, last]) expect(cellsAt(value)).toEqual(cellsAt(0))
+  })
+
+  it('have the empty discs of the plane that an eye at the largest one sees', () => {
+    const random = seededRandom(3)
+    const scenes = [
+      drawnScene('globe-plane'),
+      ...Array.from(
+        { length: 40 },
+        (_, k): Scene => ({
+          ...drawnScene('globe-plane'),
+          circles: Array.from({ length: 3 + (k % 8) }, () => ({
+            x: -1.1 + 1.6 * (random() - 0.5),
+            y: 1.6 * (random() - 0.5),
+            r: 0.3 * random(),
+          })),
+        }),
+      ),
+    ]
+    for (const scene of scenes) {
+      const { caps, eye, names, discs, diagram } = seenFromLargest(scene, library)
+      for (const { circles, onGlobe } of discs) {
+        const distances = caps.map((cap) => distanceTo(cap, onGlobe.center))
+        for (const k of circles) expect(distances[names[k] as number]).toBeCloseTo(onGlobe.r, 9)
+        expect(Math.min(...distances)).toBeGreaterThan(onGlobe.r - 1e-9)
+      }
+      // The vertices of the sphere: those of the plane, and one with the eye for each pair on the hull.
+      const degrees = (angle: number) => (angle * 180) / Math.PI
+      const places = caps.map(({ center: [x, y, z], r }) => [degrees(Math.atan2(y, x)), degrees(Math.asin(z)), r])
+      const { vertexCaps } = computeSphere(places, { radius: 1, weights: true })
+      const triples = Array.from({ length: vertexCaps.length / 3 }, (_, v) =>
+        [...vertexCaps.subarray(3 * v, 3 * v + 3)].sort((a, b) => a - b).join(),
+      )
+      const inPlane = discs.map(({ circles }) =>
+        circles
+          .map((k) => names[k] as number)
+          .sort((a, b) => a - b)
+          .join(),
+      )
+      expect(triples.filter((triple) => !triple.split(',').includes(`${eye}`)).sort()).toEqual(inPlane.sort())
+      const pairs = diagram.hull.length < 2 ? 0 : diagram.hull.length
+      expect(triples).toHaveLength(discs.length + pairs)
+    }
+  })
 })
 
 describe('given areas', () => {

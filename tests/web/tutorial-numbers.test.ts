@@ -221,7 +221,7 @@ test('chapter 5: borders begin at vertices in its player, too, and a disc is thr
   expect(after).toBeGreaterThan(0)
 })
 
-test('chapter 12: four circles without a vertex', () => {
+test('chapter 13: four circles without a vertex', () => {
   expect(figure('exercise-vertices').answer).toContain(
     'Or put three small circles around a large one, far from each other',
   )

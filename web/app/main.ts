@@ -103,6 +103,13 @@ const fileActions = loadedOnce(async () => {
   const { FileActions } = await import('./files/file-actions.ts')
   return new FileActions(store, editing, actions, view, { files, reader, links })
 })
+const degreesNotice = loadedOnce(async () => {
+  const { mountDegrees } = await import('./panels/degrees.ts')
+  mountDegrees(store, editing, actions, files)
+})
+store.subscribe(({ degrees }) => {
+  if (degrees !== undefined) degreesNotice().catch(() => complain(NOT_LOADED))
+})
 mountSay(store, async (file) => {
   const opening = await fileActions().catch(() => complain(NOT_LOADED))
   await opening?.openFile(file)

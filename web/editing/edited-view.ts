@@ -22,8 +22,8 @@ export function editView(
   const editing = new Editing(
     view,
     (outcome) => {
-      const dataSet = editing.scene?.dataSet ?? ''
-      store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet }))
+      const { dataSet = '', degrees } = editing.scene ?? {}
+      store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet, degrees }))
       // Waits for the picture of the same edit, so that highlights and circles change together.
       if (store.get().selection.length > 0) choose()
       identify(outcome)

@@ -5,6 +5,13 @@ import type { Domain } from '../view/domain.ts'
 import { type Attributes, bytesOfAttributes, NO_ATTRIBUTES } from './attributes.ts'
 import { PackedSteps } from './packed-steps.ts'
 
+/** A file whose circles have longitudes and latitudes as centers. */
+export interface Degrees {
+  readonly file: string
+  /** The unit of the radii: by the name of their column, or else by their size. */
+  readonly unit: 'km' | 'm'
+}
+
 /** A set of circles that are opened together. */
 export interface CircleSet {
   readonly circles: Float64s
@@ -20,6 +27,8 @@ export interface CircleSet {
   readonly domain?: Domain | undefined
   /** The colors of the circles, if they are not to be chosen anew (`LinkState.colors`). */
   readonly colors?: string | undefined
+  /** Set if the centers are longitudes and latitudes. */
+  readonly degrees?: Degrees | undefined
 }
 
 /** The edits that undo one gesture. */

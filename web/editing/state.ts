@@ -7,11 +7,13 @@ import type { Described, GlobalResults } from '../view/protocol.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
 import type { Outcome } from './editing.ts'
-import { EMPTY_HISTORY, type History } from './history.ts'
+import { type Degrees, EMPTY_HISTORY, type History } from './history.ts'
 
 /** The state that panels show. It is replaced, never modified. The circles are kept separately, in a `CircleTable`. */
 export interface State {
   readonly dataSet: string
+  /** Set if the centers of circles are longitudes and latitudes. */
+  readonly degrees: Degrees | undefined
   /** The last result; `undefined` before the first opening. */
   readonly edited: Edited | undefined
   readonly history: History
@@ -60,6 +62,7 @@ export type Tool = 'select' | 'pan' | 'add' | 'draw'
 
 export const INITIAL_STATE: State = {
   dataSet: '',
+  degrees: undefined,
   edited: undefined,
   history: EMPTY_HISTORY,
   domain: NO_DOMAIN,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Guesses which columns of a table are centers and radii, where the readers do not know their names.
+import { isRecord } from '../../lib/base/check.ts'
 import { isHeaderOrCircle } from '../../view/circle-text.ts'
 import { filled, NumberReader, recordsOf, SEPARATORS, type Separator, type TableRecord } from '../../view/table-text.ts'
 
@@ -20,11 +21,66 @@ export interface Columns {
   readonly r: number | { readonly all: number }
 }
 
+/** The names of three columns. */
+export interface ColumnNames {
+  readonly x: string
+  readonly y: string
+  /** `undefined` if no column has the radii. */
+  readonly radius: string | undefined
+}
+
+const LONGITUDE = /^((decimal|geo) ?)?(lon|long|lng|longitude|länge|längengrad)( (deg|degrees|dd|wgs ?84))?$/
+const LATITUDE = /^((decimal|geo) ?)?(lat|latitude|breite|breitengrad)( (deg|degrees|dd|wgs ?84))?$/
 const NAMES: Readonly<Record<'x' | 'y' | 'r' | 'd', RegExp>> = {
-  x: /^(x|cx|x ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?x|lon|long|lng|longitude|länge|längengrad|east|easting|rechtswert)$/,
-  y: /^(y|cy|y ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?y|lat|latitude|breite|breitengrad|north|northing|hochwert)$/,
-  r: /^(r|rad|radi(us|en|i)?|radius .*|weight|gewicht)$/,
+  x: /^(x|cx|x ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?x|east|easting|rechtswert)$/,
+  y: /^(y|cy|y ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?y|north|northing|hochwert)$/,
+  r: /^(r|rad|radi(us|en|i)?|radius .*|r (km|m)|weight|gewicht)$/,
   d: /^(d|diam|diameter|durchmesser|dbh|bhd)$/,
+}
+
+/** Returns whether the name of a column is one of longitudes. */
+export function isLongitude(name: string): boolean {
+  return LONGITUDE.test(normalName(name))
+}
+
+/** Returns whether the name of a column is one of latitudes. */
+export function isLatitude(name: string): boolean {
+  return LATITUDE.test(normalName(name))
+}
+
+/** Returns a name in lower case, with blanks in place of signs. */
+export function normalName(name: string): string {
+  return name
+    .toLowerCase()
+    .replace(/[_\-.()[\]°]+/g, ' ')
+    .trim()
+}
+
+/**
+ * Returns the columns of a text that the readers know by their names. Returns `undefined` for columns without names, and
+ * for GeoJSON, which has none.
+ */
+export function knownColumns(text: string): ColumnNames | undefined {
+  const names = /^\uFEFF?\s*\[/.test(text) ? membersIn(text) : headingIn(text)
+  const { x, y, r } = guessedColumns({ heading: names })
+  if (x === undefined || y === undefined) return undefined
+  return { x: names[x] as string, y: names[y] as string, radius: typeof r === 'number' ? names[r] : undefined }
+}
+
+function headingIn(text: string): readonly string[] {
+  for (const candidate of SEPARATORS) {
+    const first = attempt(() => recordsOf(text, candidate).next().value as TableRecord | undefined)
+    if (first !== undefined && attempt(() => isHeaderOrCircle(first, candidate)) === true) {
+      return first.fields.map(({ text }) => text)
+    }
+  }
+  return []
+}
+
+/** The names of the first object in a list. */
+function membersIn(json: string): readonly string[] {
+  const [first] = attempt<readonly unknown[]>(() => JSON.parse(json)) ?? []
+  return isRecord(first) ? Object.keys(first) : []
 }
 
 /**
@@ -83,13 +139,14 @@ export interface Guess extends Partial<Columns> {
 }
 
 export function guessedColumns({ heading }: Pick<Table, 'heading'>): Guess {
-  const normal = heading.map((name) =>
-    name
-      .toLowerCase()
-      .replace(/[_\-.()[\]]+/g, ' ')
-      .trim(),
-  )
-  const find = (kind: keyof typeof NAMES) => normal.flatMap((name, k) => (NAMES[kind].test(name) ? [k] : []))
+  const normal = heading.map(normalName)
+  const isKind = {
+    x: (name: string) => NAMES.x.test(name) || LONGITUDE.test(name),
+    y: (name: string) => NAMES.y.test(name) || LATITUDE.test(name),
+    r: (name: string) => NAMES.r.test(name),
+    d: (name: string) => NAMES.d.test(name),
+  }
+  const find = (kind: keyof typeof NAMES) => normal.flatMap((name, k) => (isKind[kind](name) ? [k] : []))
   const [x, y, r, d] = [find('x'), find('y'), find('r'), find('d')]
   const radius = r.length > 0 ? r : d
   return {

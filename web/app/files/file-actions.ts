@@ -158,7 +158,9 @@ export class FileActions {
     try {
       const result = await read()
       if ('link' in result) return this.#actions.openLink(result.link)
-      const { circles } = result
+      const { circles, degrees } = result
+      // Degrees and other units are no circles of one plane.
+      if (degrees !== undefined && this.#store.get().degrees === undefined) return this.#openRead(async () => result)
       const added = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
       const ids = await this.#actions.add(added, gesture)
       if (ids.length === 0) return 'refused'

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The messages between the page and the thread that reads and writes files and links, and generates circles.
 import type { Attributes } from '../../editing/attributes.ts'
+import type { Degrees } from '../../editing/history.ts'
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkAttributes, LinkInput } from '../../lib/link.ts'
 import type { Domain } from '../../view/domain.ts'
@@ -13,6 +14,8 @@ export type SavedFormat = 'csv' | 'json' | 'geojson' | 'cells'
 export interface NamedCircles {
   readonly circles: Float64s
   readonly attributes?: Attributes | undefined
+  /** Set if the columns of the centers are longitude and latitude. */
+  readonly degrees?: Degrees | undefined
 }
 
 /** The columns of a table, as options of `readCircleFile`. */

@@ -10,7 +10,9 @@ import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
 import { boundingBox } from '../../view/camera.ts'
 import type { Domain } from '../../view/domain.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
+import { degreesIn } from '../earth/degrees.ts'
 import { randomNumbers } from '../random-numbers.ts'
+import { type ColumnNames, knownColumns } from './columns.ts'
 import type { FilesCalls, HowRead, NamedCircles, NamedColumns, Read, SavedFormat } from './files-protocol.ts'
 import { pixelsOf, stippled } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
@@ -66,7 +68,12 @@ async function read(bytes: Uint8Array<ArrayBuffer>, name: string, how: HowRead =
   const isDiagram = table === undefined && holdsDiagram(bytes)
   if (!isDiagram) {
     const { circles, attributes, skipped } = readCircleFile(tableBytes, { name, skipInvalid, ...optionsOf(columns) })
-    return { ...withColumns(withRadii(circles, columns), attributes), ...(skipInvalid && { skipped: skipped.length }) }
+    const degrees = degreesIn(circles, namesOf(columns) ?? knownColumns(table ?? text), name)
+    return {
+      ...withColumns(withRadii(circles, columns), attributes),
+      ...(degrees && { degrees }),
+      ...(skipInvalid && { skipped: skipped.length }),
+    }
   }
   const { diagram, attributes } = readDiagramFile(bytes, { name })
   return withColumns(diagram.circles, attributes)
@@ -76,6 +83,12 @@ function optionsOf(columns: NamedColumns | undefined): ReadCirclesOptions {
   if (columns === undefined) return {}
   const { x, y, radius } = columns
   return { x, y, ...(typeof radius === 'string' ? { radius } : { points: true }) }
+}
+
+function namesOf(columns: NamedColumns | undefined): ColumnNames | undefined {
+  if (columns === undefined) return undefined
+  const { x, y, radius } = columns
+  return { x, y, radius: typeof radius === 'string' ? radius : undefined }
 }
 
 /** Returns the circles with the radius that was chosen for all, or with half the diameters. */

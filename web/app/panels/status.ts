@@ -19,7 +19,7 @@ export function mountStatus(store: Store<State>): void {
   store.subscribe((state) => {
     // Announces the counts after each change.
     if (state.edited !== edited && state.edited !== undefined) {
-      status.replaceChildren(statusOf(state.edited))
+      status.replaceChildren(statusOf(state.edited, state.degrees !== undefined))
       edited = state.edited
     }
     problem.hidden = state.problem === ''
@@ -44,11 +44,11 @@ function buttonOf({ label, act }: Remedy): HTMLButtonElement {
  */
 type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second' | 'rare']
 
-function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>): Node {
+function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>, areDegrees: boolean): Node {
   const proven = document.createElement('span')
   proven.className = 'good'
   proven.title = 'A judge has proven this diagram with exact signs, independently of how it was made.'
-  proven.textContent = '✓ proven'
+  proven.textContent = areDegrees ? '✓ proven for a plane' : '✓ proven'
   const parts: Part[] = [
     [count(counts.circles, 'circle')],
     [count(counts.vertices, 'vertex', 'vertices'), 'second'],

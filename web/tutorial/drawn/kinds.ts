@@ -2,6 +2,8 @@
 import { bezierArc } from './bezier.ts'
 import { directedEdges } from './directed.ts'
 import { finalCells } from './final.ts'
+import { globePlane } from './globe-plane.ts'
+import { globeRadii } from './globe-radii.ts'
 import { growing } from './growing.ts'
 import { marketAreas } from './market.ts'
 import { nearestCircle } from './nearest.ts'
@@ -25,6 +27,8 @@ export const KINDS: Readonly<Record<KindName, Kind>> = {
   'two-weights': twoWeights,
   springs,
   newton,
+  'globe-radii': globeRadii,
+  'globe-plane': globePlane,
 }
 export type KindName =
   | 'nearest'
@@ -38,6 +42,8 @@ export type KindName =
   | 'two-weights'
   | 'springs'
   | 'newton'
+  | 'globe-radii'
+  | 'globe-plane'
 
 export function heightOf(kind: KindName): number {
   return KINDS[kind].height ?? HEIGHT
