@@ -4,7 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include "circle_voronoi/compute.h"
+#include "power_diagram.h"
 #include "values.h"
 
 namespace {
@@ -14,7 +14,7 @@ using namespace circle_voronoi;
 val powerDiagramValue(const val& coordinates) {
   return valueOf([&] {
     const auto circles = itemsFrom<double, Circle>(coordinates);
-    const Result<Diagram> diagram = compute(circles, {.metric = Metric::power});
+    const Result<Diagram> diagram = powerDiagram(circles);
     return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());
   });
 }

@@ -44,11 +44,7 @@ Result<Diagram> compute(std::span<const Circle> circles, const Options& options)
   return guarded([&]() -> Result<Diagram> {
     if (auto error = checkOptions(options)) return *std::move(error);
     if (options.metric == Metric::centers) return diagramOfCenters(circles, options);
-    auto valid = validate(circles, options.weights, Metric::power);
-    if (!valid) return valid.error();
-    Options own = options;
-    own.progress = lettingThrough(options.progress);
-    return powerDiagram(std::move(valid).value(), own);
+    return powerDiagram(circles, options);
   });
 }
 

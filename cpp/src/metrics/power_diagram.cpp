@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "certificate_message.h"
+#include "guarded.h"
 #include "journal.h"
 #include "judge_power.h"
 #include "radical_center.h"
@@ -17,6 +18,7 @@
 #include "stopwatch.h"
 #include "threads.h"
 #include "topology.h"
+#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -163,9 +165,7 @@ Diagram assembled(PowerSites found, std::vector<Circle> circles, bool weights, T
   return diagram;
 }
 
-}  // namespace
-
-Result<Diagram> powerDiagram(std::vector<Circle> circles, const Options& options) {
+Result<Diagram> computed(std::vector<Circle> circles, const Options& options) {
   Journal journal(options.progress);
   const Threads threads(options.threads);
   double seconds = 0;
@@ -207,6 +207,18 @@ Result<Diagram> powerDiagram(std::vector<Circle> circles, const Options& options
   stats.seconds.total = seconds;
   result->stats = std::move(stats);
   return result;
+}
+
+}  // namespace
+
+Result<Diagram> powerDiagram(std::span<const Circle> circles, const Options& options) {
+  return guarded([&]() -> Result<Diagram> {
+    auto valid = validate(circles, options.weights, Metric::power);
+    if (!valid) return valid.error();
+    Options own = options;
+    own.progress = lettingThrough(options.progress);
+    return computed(std::move(valid).value(), own);
+  });
 }
 
 }  // namespace circle_voronoi

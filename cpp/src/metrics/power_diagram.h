@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
@@ -10,8 +10,8 @@
 
 namespace circle_voronoi {
 
-/// Computes the certified power diagram of valid circles (validate.h), by the options `weights`, `threads` and
-/// `progress`. Errors: notCertified.
-Result<Diagram> powerDiagram(std::vector<Circle> circles, const Options& options);
+/// Computes the certified power diagram, by the options `weights`, `threads` and `progress`: `compute` with
+/// Metric::power, for what does without the other metrics.
+CIRCLE_VORONOI_API Result<Diagram> powerDiagram(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi
