@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Canvases without pixels. Other tests compare pictures; these only let the page and its threads draw.
 
-/** How often something was drawn on each canvas. */
+/** The number of drawing calls on each canvas. */
 export const draws = new WeakMap<object, number>()
 
 /** Accepts any drawing, and keeps the properties that are set. A color in hexadecimal digits stays what it is. */
