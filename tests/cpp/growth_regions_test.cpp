@@ -70,22 +70,34 @@ TEST(GrowthOfRegions, OfDissolving) {
                 [](const GrowthInput& input) { return dissolved(twice(input)); }, growthFamilies(), 1000, kMost});
 }
 
-// Nearly all strips have boxes around each of their corners. The line from a point crosses many turns of a spiral.
-TEST(GrowthOfRegions, OfPointsAndBoxes) {
+/// A promise of region.h about a question that is asked at each corner of a region.
+Promise atCorners(std::string_view function, std::span<const GrowthFamily> families,
+                  const std::function<void(const Region& region, const Point& corner)>& ask) {
+  return {function, "region.h",
+          [ask](const GrowthInput& input) {
+            return [ask, region = kept(input.region())] {
+              for (const Point& corner : region->points()) ask(*region, corner);
+            };
+          },
+          families};
+}
+
+// The line from a point crosses many strips, turns of a spiral, and holes.
+TEST(GrowthOfRegions, OfPoints) {
+  static const std::array kFamilies = {kUniform, kHub, kComb};
+  expectGrowth(atCorners("Region::contains", kFamilies, [](const Region& region, const Point& corner) {
+    EXPECT_TRUE(region.contains(corner));
+    static_cast<void>(region.contains({0.9 * corner.x, 0.9 * corner.y}));
+  }));
+}
+
+// Nearly all strips have boxes around each of their corners.
+TEST(GrowthOfRegions, OfBoxes) {
   static const std::array kFamilies = {kUniform, kHub, kComb, kHoles};
-  expectGrowth({"Region::contains, sidesIn, sidesNear", "region.h",
-                [](const GrowthInput& input) {
-                  const auto region = kept(input.region());
-                  return [region] {
-                    for (const Point& p : region->points()) {
-                      EXPECT_TRUE(region->contains(p));
-                      static_cast<void>(region->contains({0.9 * p.x, 0.9 * p.y}));
-                      EXPECT_FALSE(region->sidesIn({p.x, p.y, p.x, p.y}).empty());
-                      EXPECT_FALSE(region->sidesNear(std::array{p}, 0).empty());
-                    }
-                  };
-                },
-                kFamilies});
+  expectGrowth(atCorners("Region::sidesIn, sidesNear", kFamilies, [](const Region& region, const Point& corner) {
+    EXPECT_FALSE(region.sidesIn({corner.x, corner.y, corner.x, corner.y}).empty());
+    EXPECT_FALSE(region.sidesNear(std::array{corner}, 0).empty());
+  }));
 }
 
 /// The steps of each of Newton's steps of a fit to equal areas.

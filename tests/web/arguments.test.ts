@@ -366,7 +366,7 @@ const ROWS: readonly Row[] = [
   row(region, 'contains', 'number number'),
   row(spheres, 'computeSphere', 'places', COMPUTING_SPHERE),
   row(spheres, 'computeSphere', 'weightedPlaces', COMPUTING_SPHERE, { weights: true }),
-  row(worker, 'computeSphere', 'sentPlaces', `${COMPUTING_SPHERE.replace(':sphereRadius', ':name')} signal`),
+  row(worker, 'computeSphere', 'sentPlaces', `${COMPUTING_SPHERE.replace(':sphereRadius', ':number')} signal`),
   row(sphere, 'find', 'longitude latitude'),
   row(sphere, 'distanceFrom', 'circle longitude latitude'),
   row(sphere, 'neighbors', 'circle', 'none'),

@@ -120,7 +120,7 @@ type WasmError = import('./wasm.ts').WasmError
  * @example
  * const { computeSphere } = await loadSphere()
  * const cities = computeSphere([[-134.42, 58.3, 0], [30.31, 59.94, 0], [144.96, -37.81, 0]])
- * cities.find(139.7, 35.7) // 2
+ * cities.find(115.9, -31.9) // 2
  * Math.round(cities.cellArea(0)) // 140477737
  */
 export class SphereDiagram implements SphereData {
