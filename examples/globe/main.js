@@ -53,7 +53,7 @@ function open(given) {
 function show(given, colorBy) {
   try {
     const table = readTable(files, given)
-    const diagram = computeSphere(table.places)
+    const diagram = diagramOf(table)
     shown = { table, diagram, cells: new Cells(diagram), colorBy, ...coloringOf(table, diagram, colorBy) }
   } catch ({ message }) {
     showProblem(`${message.replace(/[.\s]*$/, '')}.`)
@@ -67,21 +67,24 @@ function show(given, colorBy) {
   return true
 }
 
+/** The errors of the library do not know the name of the table. */
+function diagramOf({ name, places }) {
+  try {
+    return computeSphere(places)
+  } catch ({ message }) {
+    throw new Error(`${name}: ${message.replace(/^Cap /, 'circle ')}`)
+  }
+}
+
 /** Colors by a choice of the menu: `own` and the name of a measure, or `column` and its name. */
 function coloringOf(table, diagram, colorBy) {
   const [, kind, name] = /^(\w+) (.*)$/s.exec(colorBy)
-  if (kind === 'column')
-    return valueColors(
-      diagram,
-      table.rows.map((row) => row[name]),
-    )
-  if (name === 'area') return valueColors(diagram, [...diagram.cellAreas()])
-  if (name === 'radius')
-    return valueColors(
-      diagram,
-      [...table.places].filter((_, k) => k % 3 === 2),
-    )
-  return neighborColors(diagram)
+  if (kind === 'own' && name === 'neighbors') return neighborColors(diagram)
+  const measures = {
+    area: () => [...diagram.cellAreas()],
+    radius: () => [...table.places].filter((_, k) => k % 3 === 2),
+  }
+  return valueColors(diagram, kind === 'own' ? measures[name]() : table.rows.map((row) => row[name]))
 }
 
 function draw(isMoving = false) {
@@ -185,6 +188,7 @@ for (const id of ['radius', 'unit']) {
     const choice = { name: table.name, text: table.text, radius: byId('radius').value, unit: byId('unit').value }
     // The choice stays as it was if the column is no radius.
     if (!show(choice, colorBy)) showTable(shown)
+    else if (kept() !== undefined) keep(choice)
   })
 }
 byId('color').addEventListener('change', () => {
@@ -192,6 +196,9 @@ byId('color').addEventListener('change', () => {
   shown = { ...shown, colorBy, ...coloringOf(shown.table, shown.diagram, colorBy) }
   showLegend(shown.legend, palette())
   draw()
+})
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+  if (shown !== undefined) showLegend(shown.legend, palette())
 })
 listenToTables(byId('file'), open, showProblem)
 askOpener(open)

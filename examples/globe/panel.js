@@ -6,7 +6,7 @@ import { nameOf } from './table.js'
 
 const byId = (id) => document.getElementById(id)
 /** Colors without a column. */
-export const OWN_COLORS = { neighbors: 'neighbors differ', area: 'area of the cell', radius: 'radius' }
+export const OWN_COLORS = { neighbors: 'all different', area: 'area of the cell', radius: 'radius' }
 
 /** Shows the table: how many circles there are, and the choices of columns. */
 export function showTable({ table, diagram, colorBy }) {

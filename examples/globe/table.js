@@ -29,12 +29,17 @@ export function readTable(files, { name, text, radius: chosen, unit: chosenUnit 
   const found = columnsIn(heading)
   const isGeoJson = /^\uFEFF?\s*\{/.test(text)
   const isNamed = found.longitude !== undefined && found.latitude !== undefined
+  const isHeading = heading.length > 0 && heading.every((field) => Number.isNaN(Number.parseFloat(field)))
+  if (isHeading && !isNamed && !isGeoJson) {
+    throw new Error(`${name}: there are no columns for longitude and latitude, only ${heading.join(', ')}.`)
+  }
   const radius = chosen ?? found.radius ?? ''
   const { circles, attributes } = files.readCircleFile(text, {
     name,
     ...(isNamed && !isGeoJson && { x: found.longitude, y: found.latitude }),
     ...(radius !== '' ? { radius } : (isNamed || isGeoJson) && { points: true }),
   })
+  if (circles.length === 0) throw new Error(`${name}: there are no circles.`)
   const radii = circles.filter((_, k) => k % 3 === 2)
   const unit = chosenUnit ?? unitOf(radius) ?? likelyUnit(radii)
   const rows = attributes.properties.map((text) => JSON.parse(text))

@@ -74,6 +74,30 @@ test('a table in degrees is shown on a globe in another tab, with its names and 
   await expect(summary).toHaveText('world.csv: 3 circles')
 })
 
+test('places without radii have the same radius on the map, and are points of the globe that they are shown on', async ({
+  app,
+  page,
+  context,
+}) => {
+  await app.openPanel('Files')
+  const text = 'Ort,lon,lat\nAlt-Schwerin,12.35,53.51\nAschersleben,11.46,51.76\nLüttich,5.57,50.64\n'
+  const file = { name: 'places.csv', mimeType: 'text/csv', buffer: Buffer.from(text) }
+  await page.getByLabel('Open …').setInputFiles(file)
+  const dialog = page.getByRole('dialog', { name: 'Which columns are the circles?' })
+  await expect(dialog.getByLabel('radius').locator('option:checked')).toHaveText('the same for all')
+  await dialog.getByLabel('r', { exact: true }).fill('0')
+  await dialog.getByLabel('r', { exact: true }).press('Tab')
+  await dialog.getByRole('button', { name: 'Open' }).click()
+  await expect(noticeOf(page)).toBeVisible()
+  // Without radii there is no unit to choose.
+  await expect(noticeOf(page).getByRole('combobox')).toHaveCount(0)
+  const [globe] = await Promise.all([
+    context.waitForEvent('page'),
+    noticeOf(page).getByRole('button', { name: 'Show on a globe' }).click(),
+  ])
+  await expect(globe.locator('#summary')).toHaveText('places.csv: 3 circles')
+})
+
 test('a pasted table in degrees replaces circles of a plane, and joins circles in degrees', async ({ app, page }) => {
   const paste = (text: string) =>
     page.evaluate((text) => {

@@ -184,12 +184,17 @@ test('a table is dropped, pasted or opened, and a problem changes nothing', asyn
   await picture.click({ position: { x: 300, y: 300 } })
   await expect(globe.cell).toContainText(/Radius(500|1) km/)
 
-  await globe.paste('lon,lat,r\n10,95,1\n')
-  await expect(problem).toHaveText(/95.*\.$/)
-  await expect(summary).toHaveText('The pasted text: 2 circles')
-  await globe.paste('lon,lat,r\n10,ninety,1\n')
-  await expect(problem).toHaveText(/^The pasted text:2: .*\.$/)
-  await expect(summary).toHaveText('The pasted text: 2 circles')
+  for (const [text, sentence] of [
+    ['lon,lat,r\n10,95,1\n', /^The pasted text: circle 0 has the latitude 95, .*\.$/],
+    ['lon,lat,r\n10,ninety,1\n', /^The pasted text:2: .*\.$/],
+    ['place,height\nA,3\n', /^The pasted text: there are no columns for longitude and latitude, only place, height\.$/],
+    ['lon,lat\n', /^The pasted text: there are no circles\.$/],
+    ['{"type":"FeatureCollection","features":[]}', /^The pasted text: there are no circles\.$/],
+  ] as const) {
+    await globe.paste(text)
+    await expect(problem).toHaveText(sentence)
+    await expect(summary).toHaveText('The pasted text: 2 circles')
+  }
 
   const dropped = await page.evaluateHandle(() => {
     const dataTransfer = new DataTransfer()

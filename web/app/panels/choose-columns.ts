@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
-import { type Columns, guessedColumns, nameOfColumn, type Table } from '../files/columns.ts'
+import { type Columns, type Guess, guessedColumns, nameOfColumn, type Table } from '../files/columns.ts'
 import type { NamedColumns } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'
 
@@ -22,13 +22,24 @@ function named(table: Table, { x, y, r }: Columns, isDiameter: boolean): NamedCo
   return { x: nameOf(x), y: nameOf(y), radius: isColumn ? nameOf(r) : r, isDiameter: isColumn && isDiameter }
 }
 
+/**
+ * Returns the column of radii: by its name, or the first further one with numbers. A table whose centers are known by
+ * their names has no other radii.
+ */
+function likelyRadius({ hasNumbers }: Table, guess: Guess, centers: readonly number[]): number {
+  if (typeof guess.r === 'number') return guess.r
+  if (guess.x !== undefined && guess.y !== undefined) return SAME
+  const first = hasNumbers.findIndex((has, k) => has && !centers.includes(k))
+  return first < 0 ? SAME : first
+}
+
 /** Resolves to `undefined` if the dialog was canceled. */
 function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
   const dialog = byId('columns', HTMLDialogElement)
   const { heading, rows } = table
   const guess = guessedColumns(table)
-  let [x, y, r] = [guess.x ?? 0, guess.y ?? 1, typeof guess.r === 'number' ? guess.r : Math.min(2, heading.length)]
-  if (r === heading.length) r = SAME
+  let [x, y] = [guess.x ?? 0, guess.y ?? 1]
+  let r = likelyRadius(table, guess, [x, y])
   let all = 1
   let { isDiameter } = guess
   const chosen = () => named(table, { x, y, r: r === SAME ? { all } : r }, isDiameter)
