@@ -57,6 +57,9 @@ double areaOf(double sine) {
   return (1 - kSquare) * (sine / (1 - kSquare * sine * sine) + smallArtanh(kEccentricity * sine) / kEccentricity);
 }
 
+/// The cosine of a latitude within 60 m of a pole.
+constexpr double kAtPole = 1e-5;
+
 double cosineOf(double sine) { return std::sqrt(std::max((1 - sine) * (1 + sine), 0.0)); }
 
 /// Mercator's ordinate of a latitude above the equator, whose conformal latitude is given.
@@ -81,7 +84,8 @@ Projection::Projection(Kind kind, double longitude, double latitude)
       break;
     case Kind::equalArea:
       radius_ = kEquator * std::sqrt(areaOf(1) / 2);
-      stretch_ = normal * geodetic.cosine / (radius_ * center_.cosine);
+      // Around a pole, the map is the same in all directions, and both cosines are hardly known.
+      stretch_ = geodetic.cosine < kAtPole ? 1 : normal * geodetic.cosine / (radius_ * center_.cosine);
       break;
     case Kind::mercator:
       radius_ = normal * geodetic.cosine;

@@ -169,6 +169,7 @@ val readCircleFileValue(const std::string& text, const std::string& name, const 
     val result = val::object();
     result.set("circles", float64Array(file->circles));
     result.set("attributes", attributesValue(file->attributes));
+    result.set("areDegrees", file->areDegrees);
     val skipped = val::array();
     for (const Error& error : file->skipped) skipped.call<void>("push", errorValue(error)["error"]);
     result.set("skipped", skipped);

@@ -242,6 +242,15 @@ function areaOfBox(west: number, south: number, east: number, north: number): nu
   return (sum * ((east - west) * Math.PI)) / 180
 }
 
+it('--project equal-area has a map around a pole', () => {
+  const table = 'lon,lat,r\n0,90,1\n90,89.9,2\n-90,89.9,2\n180,89.9,3\n0,89.9,2\n'
+  const { circles, collection } = JSON.parse(run(['compute', '-', '--project', 'equal-area'], table).stdout)
+  expect(collection.projection).toMatchObject({ latitude: 90 })
+  const [pole, ...others] = circles
+  const degree = 111693.9
+  for (const { x, y } of others) expect(Math.hypot(x - pole.x, y - pole.y) / degree).toBeCloseTo(0.1, 6)
+})
+
 it.each(['local', 'equal-area'])('--project %s has the poles on its map', (kind) => {
   for (const pole of [90, -90]) {
     const places = [

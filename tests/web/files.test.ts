@@ -47,6 +47,16 @@ describe('circles with attributes', () => {
     const { circles, attributes, skipped } = files.readCircleFile(text, options)
     return { circles: [...circles], ...attributes, skipped }
   }
+  it('says whether the columns are longitude and latitude', () => {
+    const areDegrees = (text: string, options?: object) => files.readCircleFile(text, options).areDegrees
+    expect(areDegrees('lon,lat,r\n8,50,1\n')).toBe(true)
+    expect(areDegrees('Latitude;Longitude\n50;8\n', { points: true })).toBe(true)
+    expect(areDegrees('[{"lng":8,"lat":50,"r":1}]')).toBe(true)
+    expect(areDegrees('x,y,r\n8,50,1\n')).toBe(false)
+    expect(areDegrees('lon,lat,r\n8,95,1\n')).toBe(false)
+    expect(areDegrees('8,50,1\n')).toBe(false)
+  })
+
   const NONE = { properties: [], ids: [], heights: [], collection: '', skipped: [] }
 
   it('are read with each option', () => {

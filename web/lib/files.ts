@@ -86,6 +86,11 @@ export interface CircleFile {
   /** x, y and r of each circle. */
   readonly circles: Float64s
   readonly attributes: CircleAttributes
+  /**
+   * Whether x and y are called longitude and latitude, in any of the usual spellings, and are in their range. Use
+   * `circle-voronoi/sphere` for such circles: a plane has no places in degrees.
+   */
+  readonly areDegrees: boolean
   /** The rows and features that `skipInvalid` skipped: the index of each in the file, and the reason. */
   readonly skipped: readonly { readonly index: number; readonly message: string }[]
 }
@@ -246,7 +251,8 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       const name = nameOf(options, 'readCircleFile', ['name', ...READ_OPTIONS])
       const read = unwrap(module.readCircleFile(textOf(text, 'readCircleFile'), name, columnsOf(options)))
       const skipped = read.skipped.map(({ circle, message }) => ({ index: circle, message }))
-      return { circles: read.circles, attributes: attributesFrom(read.attributes), skipped }
+      const { circles, areDegrees } = read
+      return { circles, attributes: attributesFrom(read.attributes), areDegrees, skipped }
     },
     readDiagram(text, options = {}) {
       const name = nameOf(options, 'readDiagram', ['name'])

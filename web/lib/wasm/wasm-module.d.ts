@@ -204,6 +204,7 @@ interface WasmFilesModule {
     | {
         readonly circles: import('../base/types.ts').Float64s
         readonly attributes: WasmAttributes
+        readonly areDegrees: boolean
         readonly skipped: readonly { readonly circle: number; readonly message: string }[]
       }
   readDiagram(
