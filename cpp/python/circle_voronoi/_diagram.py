@@ -30,7 +30,7 @@ from ._arguments import (
     whole,
 )
 from ._errors import CircleVoronoiError
-from ._frames import circles_of, is_frame
+from ._frames import check_crs, circles_of, is_frame
 from ._polygons import nested, shapes_of
 from ._regions import region_of
 
@@ -94,10 +94,15 @@ class Diagram:
     ----------
     ids : ndarray of int32, shape (n,)
         The id of each circle. Ids stay the same in `update`; without updates they are 0 to n - 1.
+    crs : pyproj.CRS or None
+        The coordinate reference system of the GeoDataFrame that the circles come from.
     """
 
-    def __init__(self, core: _core.Diagram, ids: Indices | None = None, editor: _Editor | None = None) -> None:
+    def __init__(
+        self, core: _core.Diagram, ids: Indices | None = None, editor: _Editor | None = None, crs: Any = None
+    ) -> None:
         self._core = core
+        self.crs = crs
         self._finder: _core.Finder | None = None
         self._editor = editor
         if ids is None:
@@ -181,7 +186,12 @@ class Diagram:
         return f"<Diagram of {counts}, {'certified' if self.certified else 'not certified'}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled, (self.to_bytes("json"), self.ids)
+        return _unpickled, (self.to_bytes("json"), self.ids, self.crs)
+
+    def _clip(self, bounds: Any, region: Any) -> _core.Region | None:
+        """Return the region that a box or a shape describes. A shape has the crs of the circles, if both have one."""
+        check_crs(self.crs, region)
+        return region_of(bounds, region)
 
     def _repr_html_(self) -> str:
         return _figure.html(self)
@@ -218,7 +228,7 @@ class Diagram:
         CircleVoronoiError
             The limits are not valid.
         """
-        return _core.areas(self._core, region_of(bounds, region), _distance(max_distance))
+        return _core.areas(self._core, self._clip(bounds, region), _distance(max_distance))
 
     def centroids(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
         """Return the center of mass of each cell.
@@ -230,7 +240,7 @@ class Diagram:
         ndarray of float64, shape (n, 2)
             NaN for unbounded cells without limits, and where there is no cell.
         """
-        return _core.centroids(self._core, region_of(bounds, region), _distance(max_distance))
+        return _core.centroids(self._core, self._clip(bounds, region), _distance(max_distance))
 
     def perimeters(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
         """Return the length of the outline of each cell, holes included.
@@ -242,7 +252,7 @@ class Diagram:
         ndarray of float64, shape (n,)
             In units of the input. Hidden circles have 0. Without limits, unbounded cells have infinity.
         """
-        return _core.perimeters(self._core, region_of(bounds, region), _distance(max_distance))
+        return _core.perimeters(self._core, self._clip(bounds, region), _distance(max_distance))
 
     def polygons(
         self,
@@ -271,7 +281,7 @@ class Diagram:
         """
         arrays = _core.polygons(
             self._core,
-            region_of(bounds, region),
+            self._clip(bounds, region),
             _distance(max_distance),
             None if tolerance is None else positive(tolerance, "tolerance"),
         )
@@ -294,7 +304,7 @@ class Diagram:
         ndarray of int32
         """
         i = index(circle, len(self), "circle")
-        clip, distance = region_of(bounds, region), _distance(max_distance)
+        clip, distance = self._clip(bounds, region), _distance(max_distance)
         if clip is not None or distance is not None:
             return _core.neighbors_inside(self._core, i, clip, distance)
         found = self._core.neighbors(i)
@@ -308,7 +318,7 @@ class Diagram:
 
         Each pair occurs once, with the smaller index first, in increasing order. Takes the same limits as `neighbors`.
         """
-        clip, distance = region_of(bounds, region), _distance(max_distance)
+        clip, distance = self._clip(bounds, region), _distance(max_distance)
         if clip is None and distance is None:
             return self._core.neighbor_pairs()
         return _core.pairs_inside(self._core, clip, distance)
@@ -349,7 +359,7 @@ class Diagram:
         EmptyDisc or None
             None if there are no circles. The radius is negative if circles cover the region.
         """
-        clip = region_of(bounds, region)
+        clip = self._clip(bounds, region)
         if inside and clip is None:
             raise CircleVoronoiError("inside needs bounds or region.", "badOption")
         found = _core.largest_empty_disc(self._core, clip, inside)
@@ -381,7 +391,7 @@ class Diagram:
         """
         distance = None if tolerance is None else positive(tolerance, "tolerance")
         found = _core.clearest_path(
-            self._core, point(start, "start"), point(end, "end"), region_of(bounds, region), distance
+            self._core, point(start, "start"), point(end, "end"), self._clip(bounds, region), distance
         )
         return None if found is None else ClearestPath(*found)
 
@@ -427,6 +437,7 @@ class Diagram:
                     "Another update was made from this diagram. Update the newest one.", "badInput"
                 )
             result = editor.apply(*edits)
+        result.crs = self.crs
         self._editor = editor
         return result
 
@@ -469,7 +480,7 @@ class Diagram:
             self._core,
             format,
             None if bounds is None else box(bounds, "bounds"),
-            region_of(None, region),
+            self._clip(None, region),
             _distance(max_distance),
             None if tolerance is None else positive(tolerance, "tolerance"),
             None if digits is None else whole(digits, 0, 2**31 - 1, "digits"),
@@ -608,7 +619,7 @@ def compute(
         bool(resample),
         whole(threads, 0, 1024, "threads"),
     )
-    return Diagram(core)
+    return Diagram(core, crs=getattr(circles, "crs", None) if is_frame(circles) else None)
 
 
 def fit_areas(
@@ -755,5 +766,5 @@ def _distance(value: Any) -> float | None:
     return optional_number(value, "max_distance")
 
 
-def _unpickled(text: bytes, ids: Indices) -> Diagram:
-    return Diagram(_core.read_diagram(text, "pickle"), ids)
+def _unpickled(text: bytes, ids: Indices, crs: Any = None) -> Diagram:
+    return Diagram(_core.read_diagram(text, "pickle"), ids, crs=crs)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,10 @@ from ._errors import CircleVoronoiError
 if TYPE_CHECKING:
     from ._diagram import Diagram
     from ._sphere import SphereDiagram
+
+
+LONGITUDES = ("lon", "longitude", "lng", "long")
+LATITUDES = ("lat", "latitude")
 
 
 def is_frame(data: Any) -> bool:
@@ -35,6 +40,12 @@ def circles_of(frame: Any, x: Any, y: Any, r: Any) -> Floats:
         points = _points(frame)
     else:
         points = np.column_stack([_column(frame, x or "x"), _column(frame, y or "y")])
+        if _are_degrees(x, y, points):
+            warnings.warn(
+                f"The columns {x} and {y} look like degrees, in which distances mean nothing in a plane. Use"
+                " compute_sphere, or project them.",
+                stacklevel=4,
+            )
     return np.column_stack([points, _radii(frame, r)])
 
 
@@ -50,9 +61,15 @@ def caps_of(frame: Any, lat: Any, r: Any, lon: Any) -> Floats:
             )
         places = _points(frame)
     else:
-        names = [_first(frame, lon, ("lon", "longitude", "lng", "long")), _first(frame, lat, ("lat", "latitude"))]
+        names = [_first(frame, lon, LONGITUDES), _first(frame, lat, LATITUDES)]
         places = np.column_stack([_column(frame, name) for name in names])
     return np.column_stack([places, _radii(frame, r)])
+
+
+def _are_degrees(x: Any, y: Any, points: Floats) -> bool:
+    """Return whether columns are called longitude and latitude, and their numbers are in the range of these."""
+    is_named = str(x).lower() in LONGITUDES and str(y).lower() in LATITUDES
+    return is_named and bool((np.abs(points) <= (360, 90)).all())
 
 
 def _radii(frame: Any, r: Any) -> Floats:
@@ -102,6 +119,17 @@ def to_geodataframe(diagram: Diagram | SphereDiagram, frame: Any, **limits: Any)
     cells[:] = diagram.polygons(**limits)
     crs = getattr(frame, "crs", None)
     return frame.set_geometry(geopandas.GeoSeries(cells, index=frame.index, crs=crs))
+
+
+def check_crs(crs: Any, region: Any) -> None:
+    """Refuse a region whose coordinates are not those of the circles."""
+    other = getattr(region, "crs", None)
+    if crs is not None and other is not None and crs != other:
+        raise CircleVoronoiError(
+            f"The region is in {other.to_string()}, the circles in {crs.to_string()}. Convert it with"
+            f" region.to_crs({crs.to_string()!r}).",
+            "badOption",
+        )
 
 
 def _column(frame: Any, name: str) -> Floats:

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
-from ._regions import region_of
 
 if TYPE_CHECKING:
     from ._diagram import Diagram
@@ -28,7 +27,7 @@ def plot(diagram: Diagram, ax: Any, bounds: Any, region: Any, style: dict[str, A
         raise ImportError("plot needs matplotlib. Install it with your package manager or pip.") from None
     if ax is None:
         _, ax = pyplot.subplots()
-    clip = region_of(bounds, region) or _core.default_region(diagram._core)
+    clip = diagram._clip(bounds, region) or _core.default_region(diagram._core)
     left, bottom, right, top = clip.bounds
     _, curves = _core.edge_curves(diagram._core, clip, _TOLERANCE * max(right - left, top - bottom))
     codes = np.tile([Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4], len(curves))

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import pickle
+import warnings
+
 import geopandas
 import numpy as np
 import pandas
@@ -37,6 +40,36 @@ def test_a_dataframe_gives_its_columns():
     assert cv.compute(table, x="east", y="north", r="size").vertices.tobytes() == expected
     assert cv.compute(table.set_axis(["x", "y", "r"], axis=1)).vertices.tobytes() == expected
     assert cv.compute(table, x="east", y="north", r=0).circles[:, 2].tolist() == [0] * 12
+
+
+def test_columns_in_degrees_are_told():
+    places = pandas.DataFrame({"Lon": [8.6, 13.4, 2.3], "lat": [50.1, 52.5, 48.9]})
+    with pytest.warns(UserWarning, match="compute_sphere"):
+        cv.compute(places, x="Lon", y="lat", r=0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        cv.compute(places * 100, x="Lon", y="lat", r=0)
+        cv.compute(places.set_axis(["x", "y"], axis=1), r=0)
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda diagram, region: diagram.areas(region=region),
+        lambda diagram, region: diagram.neighbors(0, region=region),
+        lambda diagram, region: diagram.to_bytes("geojson", region=region),
+        lambda diagram, region: diagram.update(remove=[3]).polygons(region=region),
+        lambda diagram, region: pickle.loads(pickle.dumps(diagram)).perimeters(region=region),
+        lambda diagram, region: cv.to_geodataframe(diagram, frame(), region=region),
+    ],
+)
+def test_a_region_in_another_crs_is_refused(use):
+    shape = geopandas.GeoSeries([Polygon([(0, 0), (90, 0), (0, 90)])], crs="EPSG:32633")
+    use(cv.compute(frame(), r="radius"), shape)
+    use(cv.compute(frame(), r="radius"), geopandas.GeoSeries(list(shape)))
+    with pytest.raises(cv.CircleVoronoiError, match="to_crs") as refused:
+        use(cv.compute(frame(), r="radius"), shape.to_crs("EPSG:4326"))
+    assert refused.value.code == "badOption"
 
 
 def with_geometry(row, geometry):
