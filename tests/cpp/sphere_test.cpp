@@ -293,6 +293,12 @@ TEST(Sphere, RandomCapsAreRight) {
   }
 }
 
+// Three caps of a cell lie in nearly the same direction from a vertex, so that this vertex depends on their last bits.
+TEST(Sphere, CapsBesideAnIllConditionedVertexAreRightOrRefused) {
+  const CapInput input = test::randomCaps(4518);
+  if (computeSphere(input.caps, input.options)) expectRight(input);
+}
+
 TEST(Sphere, RandomPolygonsCoverTheSphereOnce) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const CapInput input = test::randomCaps(seed);

@@ -185,31 +185,6 @@ class SphereJudge {
     return distance + cap(i).r - diagram_.radius * angle;
   }
 
-  /// Whether a fourth cap touches the disc of a vertex once all four caps are moved by at most the tolerance.
-  bool mayTouch(CircleIndex fourth, VertexIndex v) const {
-    const double length = std::abs(reach(fourth, v));
-    if (length <= tolerance_) return true;
-    // The direction of the fourth cap is a combination of the other three directions, with weights of the sum 1. If a
-    // cap is moved by some length, the disc that touches the three reaches by this length times its weight farther.
-    const auto& [longitude, latitude, distance] = diagram_.vertices[at(v)];
-    const sphere::Place place = sphere::placeAt(longitude, latitude);
-    const auto toward = [&](CircleIndex cap) {
-      const Vector vector = sphere::viewOf(place, places_[cap]).vector;
-      const double size = circle_voronoi::length(vector);
-      return Vector{vector.x / size, vector.y / size};
-    };
-    const auto& [i, j, k] = diagram_.vertexCaps[at(v)];
-    const std::array<Vector, 3> corners = {toward(i), toward(j), toward(k)};
-    const Vector fourthCorner = toward(fourth);
-    const auto area = [](Vector a, Vector b, Vector c) {
-      return std::abs(cross({b.x - a.x, b.y - a.y}, {c.x - a.x, c.y - a.y}));
-    };
-    const auto& [a, b, c] = corners;
-    const double whole = area(a, b, c);
-    const double weights = area(fourthCorner, b, c) + area(a, fourthCorner, c) + area(a, b, fourthCorner);
-    return length * whole <= tolerance_ * (whole + weights);
-  }
-
   void checkVertex(VertexIndex v) {
     const Axes& axes = vertexAxes_[at(v)];
     const Vector3 place = axes.up();
@@ -283,7 +258,7 @@ class SphereJudge {
       // More than half a turn forward, or a step back, which is right within the tolerance.
       if (to.bearing - from.bearing + (isWrapped ? 4 : 0) <= 2) continue;
       const CircleIndex before = thirdOf(start, i, diagram_.neighborOf(side));
-      if (from.isNearCenter || to.isNearCenter || mayTouch(before, end)) ++turns[at(i)].ties;
+      if (std::abs(reach(before, end)) <= tolerance_ || from.isNearCenter || to.isNearCenter) ++turns[at(i)].ties;
     }
     for (std::size_t i = 0; i < turns.size(); ++i) {
       if (diagram_.links.firstSide[i] == kNone) continue;
