@@ -252,7 +252,7 @@ bool answer(const std::vector<std::string>& words) {
   if (words.size() != kWords) return false;
   std::ifstream file(words[0]);
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  const bool weights = words[1] == "weights";
+  const bool weights = words[1].ends_with("weights");
   const auto circles = readCircles(text, words[0], {.weights = weights});
   if (!circles) return false;
   const auto diagram = diagramOf(circles.value(), words[1]);

@@ -143,7 +143,7 @@ function fileOf(circles) {
 /** The JSON file of the native program's diagram. */
 function nativeDiagram(circles, ...options) {
   const args = ['compute', fileOf(circles), ...options, '--format', 'json']
-  return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+  return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8', stdio: ['pipe', 'pipe', 'ignore'] })
 }
 
 /** The native program's answers: questions with their numbers. */

@@ -18,8 +18,7 @@ namespace {
 /// An error if an option is out of its range for this many circles.
 std::optional<Error> checkOptions(const Options& options, std::size_t circleCount) {
   if (options.metric != Metric::circles) {
-    return Error{ErrorCode::badOption, kNone,
-                 "The metric " + std::string(metricName(options.metric)) + " is not known here."};
+    return errorWith(ErrorCode::badOption, "Only the metric circles is possible here.");
   }
   if (auto error = Threads::refusalOf(options.threads)) return error;
   if (options.method != Method::touchingDisc) return std::nullopt;

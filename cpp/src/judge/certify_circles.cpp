@@ -89,7 +89,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, const Diagram& diagram
 Result<Certificate> certifyCircles(const Diagram& diagram) {
   return guarded([&]() -> Result<Certificate> {
     if (diagram.metric == Metric::power) {
-      return errorWith(ErrorCode::badOption, "A power diagram is judged by another part of the library.");
+      return errorWith(ErrorCode::badOption, "A power diagram is judged elsewhere.");
     }
     const auto circles = validate(diagram.circles, diagram.weights);
     if (!circles) return circles.error();
