@@ -198,8 +198,7 @@ export interface Files {
    */
   readCircleFile(text: string | Uint8Array, options?: ReadCirclesOptions): CircleFile
   /**
-   * Reads a diagram from JSON and checks it: its certificate says whether it is correct. There is no certificate for
-   * power diagrams.
+   * Reads a diagram from JSON and checks it: its certificate says whether it is correct.
    *
    * @throws CircleVoronoiError as `readCircles`
    */

@@ -25,8 +25,8 @@ export interface Comparison {
    * With `centers`, the radius of a vertex is its distance from its three centers, and if several circles have the same
    * center, the first one has the cell. With `power`, the radius of a vertex is the radius of the circle at right
    * angles to its three circles. Where the three circles overlap, it is minus the square root of their negative power.
-   * A circle without a cell is listed as hidden by `NONE`, because no circle need contain it. The center of a circle
-   * may lie outside its cell. A power diagram has no certificate.
+   * A circle without a cell is listed as hidden by a visible circle beside its center, though no circle need contain
+   * it. The center of a circle may lie outside its cell. Both diagrams are certified.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
