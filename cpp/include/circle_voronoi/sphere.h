@@ -133,10 +133,10 @@ struct SphereDiagram {
 Result<SphereDiagram> computeSphere(std::span<const Cap> caps, const SphereOptions& options = {});
 
 /// Judges whether a diagram is the Voronoi diagram of its caps on the sphere, whatever program made it: each vertex
-/// touches its three caps, counter-clockwise; each hidden cap lies in a visible one; and the sides of each cell go
-/// around its center once, in order of bearing. All this holds up to twice the `rounding` of the diagram, and at least
-/// 1e-14 of the sphere's radius: where sides are in the wrong order, the fourth cap must touch the disc of a vertex to
-/// this length. Linear time.
+/// touches its three caps, counter-clockwise; no cap across an edge reaches into its disc; each hidden cap lies in a
+/// visible one; and the sides of each cell go around its center once, in order of bearing. All this holds up to twice
+/// the `rounding` of the diagram, and at least 1e-14 of the sphere's radius: where sides are in the wrong order, the
+/// fourth cap must touch the disc of a vertex to this length. Linear time.
 ///
 /// Errors: badInput if the parts of the diagram do not fit together; notCertified if the diagram is not right, with a
 /// cap.

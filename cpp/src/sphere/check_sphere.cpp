@@ -17,6 +17,9 @@ namespace {
 
 using sphere::Places;
 
+/// As a share of the sphere's radius: 6 mm on the Earth. Vertices are right to a thousandth of this.
+constexpr double kFar = 1e-9;
+
 /// The place of a cap among those of a vertex; any place if it is not there.
 std::size_t positionIn(const std::array<CircleIndex, 3>& caps, CircleIndex cap) {
   return caps[0] == cap ? 0 : caps[1] == cap ? 1 : 2;
@@ -125,7 +128,10 @@ class SphereJudge {
     checkCounts();
     for (const HiddenCircle& h : diagram_.hidden) checkHidden(h);
     corners_.resize(diagram_.vertices.size());
-    for (std::size_t v = 0; v < diagram_.vertices.size() && !error_; ++v) checkVertex(static_cast<std::int32_t>(v));
+    for (std::size_t v = 0; v < diagram_.vertices.size() && !error_; ++v) {
+      checkVertex(static_cast<std::int32_t>(v));
+      checkAround(static_cast<std::int32_t>(v));
+    }
     if (diagram_.vertices.empty()) {
       for (const Edge& e : diagram_.edges) checkNeighbors(e);
     }
@@ -228,6 +234,19 @@ class SphereJudge {
       if (dot(step, step) * std::min(sizes[k], sizes[l]) <= 8 * angleTolerance_) return;
     }
     refuse(diagram_.vertexCaps[at(v)][0], "The caps of a vertex do not go around it counter-clockwise.");
+  }
+
+  /// No cap across an edge of a vertex reaches far into its disc. This follows from the other checks, but for vertices
+  /// that depend on the last bits of their caps: what is right within the tolerance may be far from right there.
+  void checkAround(VertexIndex v) {
+    for (const SideIndex side : diagram_.links.vertexSides[at(v)]) {
+      const VertexIndex other = diagram_.targetOf(side);
+      // Of the other vertex, the same question has the same answer.
+      if (other < v) continue;
+      const CircleIndex i = diagram_.circleOf(side);
+      const CircleIndex beyond = thirdOf(other, i, diagram_.neighborOf(side));
+      if (!(reach(beyond, v) <= kFar * diagram_.radius)) return refuse(i, "A cap reaches into the disc of a vertex.");
+    }
   }
 
   const Corner& cornerOf(VertexIndex v, CircleIndex i) const {
