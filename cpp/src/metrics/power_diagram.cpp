@@ -26,7 +26,7 @@ namespace {
 /// The circles among which a diagram is computed: the one of largest weight, and the first, at each place.
 struct PlacedCircles {
   std::vector<int> indices;  ///< in spatial order
-  std::vector<int> others;   ///< circles at the places of others, in increasing order
+  std::vector<int> others;   ///< circles at the places of others, in spatial order
 };
 
 PlacedCircles onePerPlace(std::span<const Circle> circles, Threads threads) {
@@ -37,20 +37,24 @@ PlacedCircles onePerPlace(std::span<const Circle> circles, Threads threads) {
     return std::tuple(c.x, c.y, -c.r, i);
   };
   std::sort(order.begin(), order.end(), [&](int i, int j) { return rank(i) < rank(j); });
-  PlacedCircles candidates;
-  std::vector<int> firsts;
+  // Circles of one place follow one another.
   std::vector<Point> places;
-  for (const int i : order) {
-    const Circle& c = circles[static_cast<std::size_t>(i)];
-    if (!places.empty() && places.back() == Point{c.x, c.y}) {
-      candidates.others.push_back(i);
-    } else {
-      firsts.push_back(i);
-      places.push_back({c.x, c.y});
+  std::vector<std::size_t> firsts;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Circle& c = circles[static_cast<std::size_t>(order[k])];
+    if (!places.empty() && places.back() == Point{c.x, c.y}) continue;
+    places.push_back({c.x, c.y});
+    firsts.push_back(k);
+  }
+  firsts.push_back(order.size());
+  PlacedCircles candidates;
+  for (const int place : spatialOrder(places, threads)) {
+    const std::size_t first = firsts[static_cast<std::size_t>(place)];
+    candidates.indices.push_back(order[first]);
+    for (std::size_t k = first + 1; k < firsts[static_cast<std::size_t>(place) + 1]; ++k) {
+      candidates.others.push_back(order[k]);
     }
   }
-  for (const int k : spatialOrder(places, threads)) candidates.indices.push_back(firsts[static_cast<std::size_t>(k)]);
-  std::sort(candidates.others.begin(), candidates.others.end());
   return candidates;
 }
 
