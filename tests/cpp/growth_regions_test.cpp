@@ -85,7 +85,7 @@ Promise atCorners(std::string_view function, std::span<const GrowthFamily> famil
 // The line from a point crosses many strips, turns of a spiral, and holes.
 TEST(GrowthOfRegions, OfPoints) {
   static const std::array kFamilies = {kUniform, kHub, kComb};
-  // Of fewer sides, one more level of runs counts for more.
+  // One more level of runs counts for more where there are fewer sides.
   constexpr std::size_t kSize = 4000;
   const auto ask = [](const Region& region, const Point& corner) {
     EXPECT_TRUE(region.contains(corner));

@@ -247,6 +247,8 @@ constexpr Corruption kCorruptions[] = {
        HiddenCircle& hidden = anyOf(d.hidden, random);
        hidden.by = hidden.circle;
      }},
+    {"a hidden circle does not exist", [](Diagram& d, Random& random) { anyOf(d.hidden, random).circle = kNone; }},
+    {"a hider does not exist", [](Diagram& d, Random& random) { anyOf(d.hidden, random).by = 1000; }},
     {"a hidden circle grows out",
      [](Diagram& d, Random& random) { d.circles[at(anyOf(d.hidden, random).circle)].r = 40; }},
     {"a visible circle shrinks and is hidden",

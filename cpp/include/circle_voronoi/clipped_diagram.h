@@ -73,8 +73,8 @@ class ClipParts;
 /// cells on a crossing take the same point from it, to the bit, so that they fit together without gaps and overlaps.
 class ClippedDiagram {
  public:
-  /// Clips a certified diagram to a region. Cells are also cut at `maxDistance` from their
-  /// circle, if that is given (outlineWithin). The diagram and the region must outlive the result.
+  /// Clips a certified diagram to a region. Cells are also cut at `maxDistance` from their circle, if that is given
+  /// (outlineWithin). The diagram and the region must outlive the result.
   /// Errors: badInput if the arrays of the diagram do not fit together (checked in linear time, so that nothing outside
   /// them is read); badOption if `maxDistance` is not finite, exceeds kRegionLimit, or is given for Metric::power;
   /// notCertified if the judge finds a fault, as for a diagram that is not certified; tooManyCircles if memory runs

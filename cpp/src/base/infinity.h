@@ -9,5 +9,6 @@ inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// The point at infinity as a corner of a face.
 inline constexpr int kPointAtInfinity = -1;
+inline bool isFinite(int corner) { return corner != kPointAtInfinity; }
 
 }  // namespace circle_voronoi

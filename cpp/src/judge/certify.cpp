@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "circle_voronoi/certify.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <variant>
@@ -32,20 +31,10 @@ bool isInPlace(const Vertex& vertex, const Vertex& right, const WeightedPoint& p
          std::abs(powerOf(vertex) - powerOf(right)) <= kSlack * (size * size + std::abs(point.weight.value));
 }
 
-/// Returns the first hidden circle whose index is out of range or repeated, or for which no visible one is named.
-CircleIndex wrongIndexAmong(const std::vector<HiddenCircle>& hidden, std::size_t count) {
-  std::vector<std::uint8_t> isHidden(count, 0);
-  const auto isIndex = [&](CircleIndex i) { return i >= 0 && static_cast<std::size_t>(i) < count; };
-  for (const auto& [circle, by] : hidden) {
-    if (!isIndex(circle) || !isIndex(by) || isHidden[static_cast<std::size_t>(circle)] != 0) return circle;
-    isHidden[static_cast<std::size_t>(circle)] = 1;
-  }
-  return {};
-}
-
 Certificate judgePowerDiagram(const std::vector<Circle>& circles, const Diagram& diagram) {
-  if (const CircleIndex wrong = wrongIndexAmong(diagram.hidden, circles.size()); wrong != kNone) {
-    return {Flaw::badIndex, wrong, kNone, kNone, {}};
+  std::vector<std::uint8_t> isHidden(circles.size(), 0);
+  if (const auto wrong = markHidden(diagram.hidden, isHidden)) {
+    return {Flaw::badIndex, *wrong, kNone, kNone, {}};
   }
   const Visible visible(circles, diagram.hidden);
   const Topology topology = visibleTopology(diagram, visible.sites);

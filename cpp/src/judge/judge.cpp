@@ -54,8 +54,6 @@ class Judge {
 
   static constexpr std::size_t kFacesAtATime = 128;
 
-  static bool isFinite(int corner) { return corner != kPointAtInfinity; }
-
   Verdict checkAdjacency() const {
     const int faceCount = circleCount_ < 2 ? 0 : 2 * circleCount_ - 2;
     if (dual_.faceCount() != faceCount) return {Flaw::eulerCount};
@@ -214,13 +212,18 @@ Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& pre
   return verdict;
 }
 
-Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {
-  const auto isIndex = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < circles.size(); };
-  std::vector<std::uint8_t> isHidden(circles.size());
+std::optional<CircleIndex> markHidden(std::span<const HiddenCircle> hidden, std::span<std::uint8_t> isHidden) {
+  const auto isIndex = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < isHidden.size(); };
   for (const auto& [circle, by] : hidden) {
-    if (!isIndex(circle) || !isIndex(by) || isHidden[circle] != 0) return {Flaw::badIndex, circle};
+    if (!isIndex(circle) || !isIndex(by) || isHidden[circle] != 0) return circle;
     isHidden[circle] = 1;
   }
+  return std::nullopt;
+}
+
+Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {
+  std::vector<std::uint8_t> isHidden(circles.size());
+  if (const auto wrong = markHidden(hidden, isHidden)) return {Flaw::badIndex, *wrong};
   Predicates predicates(circles);
   for (const auto& [circle, by] : hidden) {
     if (isHidden[by] != 0 || !predicates.contains(circles[by], circles[circle])) {

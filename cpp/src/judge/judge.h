@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -52,6 +53,10 @@ struct Verdict {
 /// everything, too, and compares.
 Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Proof proof = {},
               Threads threads = Threads());
+
+/// Marks hidden circles among all. Returns the first of them that is repeated, or whose index or that of its hider is
+/// out of range, if there is one.
+std::optional<CircleIndex> markHidden(std::span<const HiddenCircle> hidden, std::span<std::uint8_t> isHidden);
 
 /// Judges whether each hidden circle lies in a circle that is not hidden, and names each circle once. The verdict names
 /// the first that does not.

@@ -10,8 +10,6 @@
 namespace circle_voronoi {
 namespace {
 
-bool isFinite(int corner) { return corner != kPointAtInfinity; }
-
 class PowerJudge {
  public:
   PowerJudge(std::span<const WeightedPoint> sites, const Dual& dual) : sites_(sites), dual_(dual) {}

@@ -14,8 +14,6 @@
 namespace circle_voronoi {
 namespace {
 
-bool isFinite(int corner) { return corner != kPointAtInfinity; }
-
 /// Sites on a line, in the order of their places: those on the lower hull of the lifted ones, by a stack (A. M. Andrew,
 /// 1979).
 RegularTriangulation ofLine(std::span<const WeightedPoint> sites) {

@@ -17,7 +17,8 @@ namespace {
 
 using sphere::Places;
 
-/// As a share of the sphere's radius: 6 mm on the Earth. Vertices are right to a thousandth of this.
+/// A reach into the disc of a vertex that is more than rounding, as a share of the sphere's radius: 6 mm on the Earth.
+/// Vertices are right to a thousandth of this.
 constexpr double kFar = 1e-9;
 
 /// The place of a cap among those of a vertex; any place if it is not there.
@@ -241,7 +242,7 @@ class SphereJudge {
   void checkAround(VertexIndex v) {
     for (const SideIndex side : diagram_.links.vertexSides[at(v)]) {
       const VertexIndex other = diagram_.targetOf(side);
-      // Of the other vertex, the same question has the same answer.
+      // The other vertex gives the same answer.
       if (other < v) continue;
       const CircleIndex i = diagram_.circleOf(side);
       const CircleIndex beyond = thirdOf(other, i, diagram_.neighborOf(side));
