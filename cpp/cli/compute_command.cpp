@@ -67,8 +67,8 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
   const Metric metric = kMetricChoices.at(arguments.metric);
   const std::string circles = "--metric " + std::string(nameOf(Metric::circles));
-  for (const std::string& option : {flagOf(&Options::method), std::string("--lattice"), std::string("--trace"),
-                                    std::string("--known"), std::string("--sphere")}) {
+  for (const std::string& option :
+       {flagOf(&Options::method), std::string("--trace"), std::string("--known"), std::string("--sphere")}) {
     refuse(option, metric == Metric::circles, circles);
   }
   if (!arguments.lattice.empty()) {

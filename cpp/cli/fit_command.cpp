@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "box.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/metric.h"
 #include "circles_input.h"
 #include "command_error.h"
 #include "commands.h"
@@ -23,12 +25,17 @@
 namespace circle_voronoi::cli {
 namespace {
 
+/// The metrics with weights.
+const std::map<std::string, Metric> kMetrics = {{std::string(metricName(Metric::circles)), Metric::circles},
+                                                {std::string(metricName(Metric::power)), Metric::power}};
+
 struct FitArguments {
   CirclesInput input;
   std::string projection;
   Output output;
   std::string lattice;  ///< AX,AY,BX,BY; empty if the cells divide a region
   std::string areas;
+  std::string metric{metricName(AreaFitOptions{}.metric)};
   bool shares = AreaFitOptions{}.shares;
   double areaTolerance = AreaFitOptions{}.tolerance;
   int maxSteps = AreaFitOptions{}.maxSteps;
@@ -75,6 +82,7 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
   project(arguments.projection, file.circles, arguments.output, name, progress);
 
   AreaFitOptions options;
+  options.metric = kMetrics.at(arguments.metric);
   options.shares = arguments.shares;
   options.tolerance = arguments.areaTolerance;
   options.maxSteps = arguments.maxSteps;
@@ -112,6 +120,12 @@ void addFitCommand(CLI::App& program) {
   command->add_option("--areas", arguments->areas, "The column or property that has the area of each cell")
       ->type_name("COLUMN")
       ->required();
+  command
+      ->add_option("--metric", arguments->metric,
+                   "The distance: circles |p - c| - weight, or power |p - c|^2 - weight, with straight borders")
+      ->type_name("METRIC")
+      ->check(CLI::IsMember(&kMetrics))
+      ->capture_default_str();
   command->add_flag("--shares", arguments->shares, "The areas are shares of the area of the region or box");
   command->add_option("--area-tolerance", arguments->areaTolerance, "The largest relative error allowed for each area")
       ->type_name("NUMBER")
@@ -131,7 +145,7 @@ void addFitCommand(CLI::App& program) {
       ->description("A file with the region that the cells divide, as GeoJSON or well-known text");
   addLatticeOption(*command, arguments->lattice);
   addProgressOption(*command, arguments->progress);
-  command->footer("The result is the diagram of the sites with the weights as radii, in any format of compute.");
+  command->footer("The result is the diagram of the sites with these weights, in any format of compute.");
   command->callback([arguments, command] { runFit(*command, *arguments); });
 }
 

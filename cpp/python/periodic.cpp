@@ -27,8 +27,9 @@ namespace {
 using SharedPeriodicDiagram = std::shared_ptr<PeriodicDiagram>;
 
 SharedPeriodicDiagram computedPeriodic(const Doubles& circles, std::array<double, 2> a, std::array<double, 2> b,
-                                       bool weights, int threads) {
+                                       const std::string& metric, bool weights, int threads) {
   Options options;
+  options.metric = *metricFromName(metric);
   options.weights = weights;
   options.threads = threads;
   const Lattice lattice{{a[0], a[1]}, {b[0], b[1]}};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -27,6 +28,7 @@
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/region.h"
 #include "circle_voronoi/region_queries.h"
+#include "circle_voronoi/treemap.h"
 #include "errors.h"
 #include "interruptible.h"
 #include "module.h"
@@ -244,15 +246,19 @@ py::object pathBetween(const SharedDiagram& diagram, std::array<double, 2> start
                         arrayOf<double>(std::move(points)));
 }
 
-/// The options of fits as Python passes them: shares, tolerance, max_steps, relax.
-using FitArguments = std::tuple<bool, double, int, int>;
+/// The options of fits as Python passes them: metric, shares, tolerance, max_steps, relax.
+using FitArguments = std::tuple<std::string, bool, double, int, int>;
 
 /// `fit(sites, areas, options)`, and the tuple of its result, whose second item is what `diagramOf` takes from it.
 template <class Fit, class DiagramOf>
 py::tuple fitted(const Doubles& sites, const Doubles& areas, const FitArguments& arguments, Fit fit,
                  DiagramOf diagramOf) {
-  const auto& [shares, tolerance, maxSteps, relax] = arguments;
-  AreaFitOptions options{.shares = shares, .tolerance = tolerance, .maxSteps = maxSteps, .relax = relax};
+  const auto& [metric, shares, tolerance, maxSteps, relax] = arguments;
+  AreaFitOptions options{.metric = *metricFromName(metric),
+                         .shares = shares,
+                         .tolerance = tolerance,
+                         .maxSteps = maxSteps,
+                         .relax = relax};
   auto found = interruptible([options, fit, sites = circlesOf(sites),
                               areas = itemsOf<double>(areas)](const Cancellation& cancellation) mutable {
     options.onStep = [&](const AreaFitStep&) { cancellation.check(); };
@@ -281,6 +287,33 @@ py::tuple fittedInBox(const Doubles& sites, const Doubles& areas, std::array<dou
         return fitAreas(circles, targets, lattice, options);
       },
       [](PeriodicAreaFit& fit) { return std::make_shared<PeriodicDiagram>(std::move(fit.periodic)); });
+}
+
+/// `previous`: for each node x, y and weight of its earlier site, which are NaN for a new node; no rows without an
+/// earlier treemap. Returns values, areas and sites of the nodes, their polygons as `polygons` does, and the error.
+py::tuple treemapOf(const Ints& parents, const Doubles& values, const SharedRegion& region,
+                    const std::string& metric, std::optional<int> relax, double tolerance, const Doubles& previous) {
+  TreemapOptions options;
+  options.metric = *metricFromName(metric);
+  options.relax = relax;
+  options.tolerance = tolerance;
+  std::vector<std::optional<Circle>> sites;
+  for (const Circle& site : circlesOf(previous)) {
+    sites.push_back(std::isnan(site.x) ? std::nullopt : std::optional(site));
+  }
+  std::vector<TreemapNode> nodes;
+  for (py::ssize_t i = 0; i < parents.size(); ++i) nodes.push_back({parents.at(i), values.at(i)});
+  Treemap map = interruptible([=](const Cancellation& cancellation) mutable {
+    options.previous = sites;
+    options.progress = [&](std::size_t, std::size_t) { cancellation.check(); };
+    return valueOf(treemap(nodes, *region, options));
+  });
+  ClippedPolygons& cells = map.polygons;
+  return py::make_tuple(arrayOf<double>(std::move(map.values)), arrayOf<double>(std::move(map.areas)),
+                        arrayOf<double>(std::move(map.sites)), arrayOf<std::int32_t>(std::move(cells.polygonOffsets)),
+                        arrayOf<std::int32_t>(std::move(cells.ringOffsets)),
+                        arrayOf<std::int32_t>(std::move(cells.pointOffsets)), arrayOf<double>(std::move(cells.points)),
+                        map.error);
 }
 
 }  // namespace
@@ -316,6 +349,7 @@ void addRegions(py::module_& module) {
   module.def("clearest_path", pathBetween);
   module.def("fit_areas", fittedInRegion);
   module.def("fit_areas_in_box", fittedInBox);
+  module.def("treemap", treemapOf);
 }
 
 }  // namespace circle_voronoi::python

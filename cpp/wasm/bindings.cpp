@@ -94,7 +94,7 @@ val computePeriodicValue(const val& coordinates, const val& lattice, const val& 
     if (!chosen.ok()) return errorValue(chosen.error());
     const auto circles = itemsFrom<double, Circle>(coordinates);
     const Lattice periods = itemsFrom<double, Lattice>(lattice).at(0);
-    const Result<PeriodicDiagram> periodic = computePeriodic(circles, periods, chosen.value());
+    const Result<PeriodicDiagram> periodic = computeImages(circles, periods, chosen.value(), computeCircles);
     if (!periodic.ok()) return errorValue(periodic.error());
     return periodicValue(periodic.value());
   });

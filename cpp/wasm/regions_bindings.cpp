@@ -6,6 +6,7 @@
 #include <emscripten/val.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/region.h"
 #include "circle_voronoi/region_queries.h"
+#include "circle_voronoi/treemap.h"
 #include "compute_circles.h"
 #include "values.h"
 
@@ -72,12 +74,15 @@ std::optional<double> distanceFrom(const val& maxDistance) {
   return maxDistance.as<double>();
 }
 
+/// The metric with a name, which the caller has checked.
+Metric metricFrom(const val& name) { return metricFromName(name.as<std::string>()).value_or(Metric::circles); }
+
 /// `value`: a diagram as `compute` in web/lib returns it, with its metric.
 val createClip(std::uintptr_t region, const val& value, const val& maxDistance) {
   return valueOf([&] {
     auto clip = std::make_unique<Clip>();
     clip->diagram = diagramFrom(value);
-    clip->diagram.metric = metricFromName(value["metric"].as<std::string>()).value_or(Metric::circles);
+    clip->diagram.metric = metricFrom(value["metric"]);
     auto clipped = ClippedDiagram::from(clip->diagram, regionOf(region), distanceFrom(maxDistance));
     if (!clipped.ok()) return errorValue(clipped.error());
     clip->clipped.emplace(std::move(clipped).value());
@@ -256,6 +261,7 @@ val fitValue(const Fit& fit) {
 val fitAreasValue(const val& domain, const val& sites, const val& areas, const val& given) {
   return valueOf([&] {
     AreaFitOptions options;
+    options.metric = metricFrom(given["metric"]);
     options.shares = given["shares"].as<bool>();
     options.tolerance = given["tolerance"].as<double>();
     options.maxSteps = given["maxSteps"].as<int>();
@@ -289,6 +295,40 @@ val fitAreasValue(const val& domain, const val& sites, const val& areas, const v
   });
 }
 
+/// `previous`: x, y and weight of the earlier site of each node, NaN for a new one; empty without an earlier treemap.
+/// `relax`: undefined by default. `progress` is called with the numbers of nodes that are divided and that are to be, and
+/// returns whether to go on. It must not throw.
+val treemapValue(std::uintptr_t region, const val& parents, const val& values, const val& given) {
+  return valueOf([&] {
+    TreemapOptions options;
+    options.metric = metricFrom(given["metric"]);
+    options.tolerance = given["tolerance"].as<double>();
+    const val relax = given["relax"];
+    if (!relax.isUndefined()) options.relax = relax.as<int>();
+    std::vector<std::optional<Circle>> previous;
+    for (const Circle& site : itemsFrom<double, Circle>(given["previous"])) {
+      previous.push_back(std::isnan(site.x) ? std::nullopt : std::optional(site));
+    }
+    options.previous = previous;
+    const val progress = given["progress"];
+    options.progress = [&](std::size_t done, std::size_t count) {
+      if (progress(static_cast<double>(done), static_cast<double>(count)).isFalse()) throw Stopped{};
+    };
+    const auto all = itemsFrom<std::int32_t, std::int32_t>(parents);
+    const auto numbers = itemsFrom<double, double>(values);
+    std::vector<TreemapNode> nodes;
+    for (std::size_t i = 0; i < all.size(); ++i) nodes.push_back({all[i], numbers[i]});
+    const auto map = treemap(nodes, regionOf(region), options);
+    if (!map.ok()) return errorValue(map.error());
+    val result = polygonsValue(map->polygons);
+    result.set("values", float64Array(map->values));
+    result.set("areas", float64Array(map->areas));
+    result.set("sites", float64Array(map->sites));
+    result.set("relativeError", map->error);
+    return result;
+  });
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
@@ -309,4 +349,5 @@ EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
   emscripten::function("clippedClearestPath", &clippedClearestPath);
   emscripten::function("clippedPolygons", &clippedPolygons);
   emscripten::function("fitAreas", &fitAreasValue);
+  emscripten::function("treemap", &treemapValue);
 }

@@ -1,47 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A treemap in a page Click a cell, or reach it with the tab key, to make it grow. Shift makes it shrink.
+// A treemap in a page. A click on the other year leads there, and each picture on the way is a treemap of its own.
 import { loadRegions } from '../../dist/lib/regions.js'
-import { disc, LAND } from './land.js'
+import { disc, peopleIn, YEARS } from './people.js'
 import { svgOf } from './svg.js'
-import { sumOf, treemap } from './treemap.js'
 
 const SIZE = 800
-const GROWTH = 1.25
+const SECONDS = 2.5
 
-const regions = await loadRegions()
-const whole = regions.region([disc({ x: SIZE / 2, y: SIZE / 2, r: SIZE / 2 - 4 })])
-const tree = structuredClone(LAND)
+const { region, treemap } = await loadRegions()
+const whole = region([disc({ x: SIZE / 2, y: SIZE / 2, r: SIZE / 2 - 4 })])
 const picture = document.querySelector('#picture')
 const output = document.querySelector('output')
-draw()
+const slider = document.querySelector('#year')
+const isStill = matchMedia('(prefers-reduced-motion: reduce)')
+let root = treemap(peopleIn(YEARS[0]), { region: whole })
+let frame = 0
+show(YEARS[0])
 
-picture.addEventListener('click', ({ target, shiftKey }) => change(target, shiftKey))
-picture.addEventListener('keydown', (event) => {
-  if (event.key === 'Enter' || event.key === ' ') {
-    event.preventDefault()
-    change(event.target, event.shiftKey)
-  }
+slider.addEventListener('input', () => {
+  cancelAnimationFrame(frame)
+  show(Number(slider.value))
 })
-
-function change(target, isSmaller) {
-  const names = target.dataset?.names
-  if (names === undefined) return
-  const leaf = names.split('/').reduce(({ children }, name) => children.find((child) => child.name === name), tree)
-  leaf.value *= isSmaller ? 1 / GROWTH : GROWTH
-  draw()
-  picture.querySelector(`[data-names="${CSS.escape(names)}"]`)?.focus()
+for (const button of document.querySelectorAll('button')) {
+  button.addEventListener('click', () => goTo(Number(button.value)))
 }
 
-function draw() {
+/** Sites stay where they are, so that cells only grow and shrink. */
+function show(year) {
+  root = treemap(peopleIn(year), { region: whole, previous: root })
+  picture.innerHTML = svgOf(root, SIZE)
+  slider.value = year
+  const people = root.children.flatMap(({ children }) => children).reduce((sum, { value }) => sum + value, 0)
+  output.value = `${Math.round(year)}: ${Math.round(people)} million people`
+}
+
+function goTo(year) {
+  cancelAnimationFrame(frame)
+  if (isStill.matches) return show(year)
+  const from = Number(slider.value)
   const start = performance.now()
-  const cells = treemap(regions, tree, whole)
-  picture.innerHTML = svgOf(cells, SIZE)
-  for (const path of picture.querySelectorAll('[data-names]')) {
-    path.setAttribute('tabindex', '0')
-    path.setAttribute('role', 'button')
+  const step = (now) => {
+    const done = Math.min((now - start) / 1000 / SECONDS, 1)
+    show(from + (year - from) * done ** 2 * (3 - 2 * done))
+    if (done < 1) frame = requestAnimationFrame(step)
   }
-  // The relative errors of the cells' areas.
-  const total = sumOf(tree)
-  const errors = cells.map(({ value, area }) => Math.abs((area / whole.area) * (total / value) - 1))
-  output.value = `${cells.length} cells in ${Math.round(performance.now() - start)} ms; the worst area is off by ${Math.max(...errors).toExponential(0)}`
+  frame = requestAnimationFrame(step)
 }

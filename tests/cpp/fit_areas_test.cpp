@@ -89,8 +89,11 @@ TEST(AreaFitSprings, HaveTheStiffnessOfTheIntegralByQuadrature) {
 }
 
 // Curved, straight, clipped and nearly hidden: the springs are the derivatives of the areas by each weight.
-TEST(AreaFitSprings, AreTheDerivativeOfTheAreas) {
+void expectSpringsAreDerivatives(Metric metric) {
   Random random(7);
+  Options options;
+  options.metric = metric;
+  options.weights = true;
   const Region region = unitSquare();
   for (int trial = 0; trial < 30; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
@@ -98,7 +101,7 @@ TEST(AreaFitSprings, AreTheDerivativeOfTheAreas) {
     if (trial % 3 > 0) {
       for (Circle& c : circles) c.r = random.uniform(0, trial % 3 == 1 ? 0.05 : 0.2);
     }
-    const Diagram diagram = compute(circles).value();
+    const Diagram diagram = compute(circles, options).value();
     if (!diagram.hidden.empty()) continue;
     const CellMeasure cells = measureCells(diagram, region);
     constexpr double kStep = 1e-6;
@@ -110,13 +113,18 @@ TEST(AreaFitSprings, AreTheDerivativeOfTheAreas) {
       grown[i].r += 1 + (i == chosen ? kStep : 0);
       shrunken[i].r += 1 - (i == chosen ? kStep : 0);
     }
-    const Diagram more = compute(grown).value();
-    const Diagram less = compute(shrunken).value();
+    const Diagram more = compute(grown, options).value();
+    const Diagram less = compute(shrunken, options).value();
     if (!more.hidden.empty() || !less.hidden.empty()) continue;
     const std::vector<double> up = measureCells(more, region).areas;
     const std::vector<double> down = measureCells(less, region).areas;
     test::expectDerivatives(cells.springs, chosen, up, down, kStep);
   }
+}
+
+TEST(AreaFitSprings, AreTheDerivativeOfTheAreas) {
+  expectSpringsAreDerivatives(Metric::circles);
+  expectSpringsAreDerivatives(Metric::power);
 }
 
 TEST(AreaFitSprings, AreSolvedInEachComponentByItself) {
@@ -147,17 +155,22 @@ TEST(AreaFit, OfTwoSitesIsTheClosedForm) {
   EXPECT_EQ(fit.weights[1], 0);
 }
 
-TEST(AreaFit, ReachesAreasOverDecadesAmongRandomSites) {
+void expectAreasOverDecades(Metric metric) {
   for (const double decades : {0.0, 1.0, 2.0}) {
     for (const std::size_t count : {1U, 2U, 3U, 10U, 300U}) {
       SCOPED_TRACE(std::to_string(count) + " sites over " + std::to_string(decades) + " decades");
       Random random(count);
       const std::vector<Circle> sites = randomSites(count, random);
       const std::vector<double> shares = sharesOver(decades, count, random);
-      expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
+      expectFits(fitShares(sites, shares, unitSquare(), 0, metric), sites, shares, unitSquare());
     }
   }
 }
+
+TEST(AreaFit, ReachesAreasOverDecadesAmongRandomSites) {
+  expectAreasOverDecades(Metric::circles);
+}
+TEST(PowerAreaFit, ReachesAreasOverDecadesAmongRandomSites) { expectAreasOverDecades(Metric::power); }
 
 // Weights are doubles. A cell that is a millionth of its neighbor is a sliver behind it, whose area the last bits of
 // the weights decide: the fit ends there, and no weight can be better.
@@ -181,7 +194,7 @@ TEST(AreaFit, GoesAsFarAsTheLastBitsOfWeights) {
   }
 }
 
-TEST(AreaFit, ReachesAreasWhereverTheSitesLie) {
+void expectAreasWhereverTheSitesLie(Metric metric) {
   struct Family {
     std::string name;
     std::function<Circle(int, Random&)> site;
@@ -215,11 +228,16 @@ TEST(AreaFit, ReachesAreasWhereverTheSitesLie) {
     std::vector<Circle> sites;
     for (int i = 0; i < 100; ++i) sites.push_back(site(i, random));
     const std::vector<double> shares = sharesOver(1, sites.size(), random);
-    expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
+    expectFits(fitShares(sites, shares, unitSquare(), 0, metric), sites, shares, unitSquare());
   }
 }
 
-TEST(AreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
+TEST(AreaFit, ReachesAreasWhereverTheSitesLie) {
+  expectAreasWhereverTheSitesLie(Metric::circles);
+}
+TEST(PowerAreaFit, ReachesAreasWhereverTheSitesLie) { expectAreasWhereverTheSitesLie(Metric::power); }
+
+void expectAreasInRegionsOfSeveralPieces(Metric metric) {
   std::mt19937_64 shapes(41);
   const Region::Ring left = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const Region::Ring hole = {{0.2, 0.2}, {0.8, 0.2}, {0.8, 0.8}, {0.2, 0.8}};
@@ -244,10 +262,15 @@ TEST(AreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
         sites.push_back({box.minX + width * random.unit(), box.minY + (box.maxY - box.minY) * random.unit(), 0});
       }
       const std::vector<double> shares = sharesOver(1, sites.size(), random);
-      expectFits(fitShares(sites, shares, region), sites, shares, region);
+      expectFits(fitShares(sites, shares, region, 0, metric), sites, shares, region);
     }
   }
 }
+
+TEST(AreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
+  expectAreasInRegionsOfSeveralPieces(Metric::circles);
+}
+TEST(PowerAreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) { expectAreasInRegionsOfSeveralPieces(Metric::power); }
 
 /// The dual function at a list of weights, by quadrature on a grid in the unit square.
 double dualValue(const std::vector<Circle>& sites, const std::vector<double>& weights,
@@ -305,6 +328,34 @@ TEST(AreaFit, DoesNotDependOnScaleDirectionOrOrder) {
     EXPECT_NEAR(sideways.weights[i], fit.weights[i], 1e-8);
     EXPECT_NEAR(reverse.weights[sites.size() - 1 - i], fit.weights[i], 1e-8);
   }
+}
+
+// The border of a power diagram lies where half the difference of the weights moves it, over the distance.
+TEST(PowerAreaFit, OfTwoSitesIsTheClosedForm) {
+  const std::vector<Circle> sites = {{0.25, 0.5, 0}, {0.75, 0.5, 0}};
+  AreaFitOptions options;
+  options.metric = Metric::power;
+  const auto fit = fitAreas(sites, std::vector{0.75, 0.25}, unitSquare(), options).value();
+  EXPECT_NEAR(fit.weights[0], 0.25, 1e-9);
+  EXPECT_EQ(fit.weights[1], 0);
+  EXPECT_EQ(fit.diagram.metric, Metric::power);
+  EXPECT_TRUE(fit.diagram.weights);
+}
+
+// The largest cell has 10^4 times the area of the smallest.
+TEST(PowerAreaFit, ReachesAreasOverFourDecades) {
+  Random random(21);
+  const std::vector<Circle> sites = randomSites(500, random);
+  const std::vector<double> shares = sharesOver(4, sites.size(), random);
+  expectFits(fitShares(sites, shares, unitSquare(), 0, Metric::power), sites, shares, unitSquare());
+}
+
+TEST(AreaFit, RefusesTheMetricWithoutWeights) {
+  AreaFitOptions options;
+  options.metric = Metric::centers;
+  const auto fit = fitAreas(std::vector<Circle>{{0, 0, 0}}, std::vector{1.0}, unitSquare(), options);
+  ASSERT_FALSE(fit);
+  EXPECT_EQ(fit.error().code, ErrorCode::badOption);
 }
 
 TEST(AreaFit, StartsFromTheRadii) {

@@ -39,9 +39,13 @@ Circles sitesIn(const Lattice& lattice, std::size_t count, Random& random) {
 }
 
 /// The areas of the cells that sites have with some weights, by computePeriodic alone.
-std::vector<double> areasOf(Circles sites, const std::vector<double>& weights, const Lattice& lattice) {
+std::vector<double> areasOf(Circles sites, const std::vector<double>& weights, const Lattice& lattice,
+                            Metric metric = Metric::circles) {
   for (std::size_t i = 0; i < sites.size(); ++i) sites[i].r = weights[i];
-  const auto periodic = computePeriodic(sites, lattice).value();
+  Options options;
+  options.metric = metric;
+  options.weights = true;
+  const auto periodic = computePeriodic(sites, lattice, options).value();
   std::vector<double> areas;
   for (CircleIndex i = 0; i < periodic.circleCount; ++i) areas.push_back(area(outline(periodic.diagram, i)));
   return areas;
@@ -53,7 +57,7 @@ void expectFits(const Result<PeriodicAreaFit>& fit, const Circles& sites, const 
   EXPECT_EQ(*std::ranges::min_element(fit->weights), 0);
   EXPECT_TRUE(certify(fit->periodic.diagram).value().certified());
   EXPECT_TRUE(checkPeriodic(fit->periodic));
-  const std::vector<double> areas = areasOf(sites, fit->weights, lattice);
+  const std::vector<double> areas = areasOf(sites, fit->weights, lattice, fit->periodic.diagram.metric);
   const double whole = test::boxArea(lattice);
   EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), whole, 1e-12 * whole);
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
@@ -79,7 +83,10 @@ TEST(PeriodicAreaFit, ReachesAreasInBoxesOfAllShapes) {
         Random random(count);
         const Circles sites = sitesIn(lattice, count, random);
         const std::vector<double> shares = sharesOver(decades, count, random);
-        expectFits(fitShares(sites, shares, lattice), sites, shares, lattice);
+        for (const Metric metric : {Metric::circles, Metric::power}) {
+          SCOPED_TRACE(metricName(metric));
+          expectFits(fitShares(sites, shares, lattice, 0, metric), sites, shares, lattice);
+        }
       }
     }
   }
@@ -102,7 +109,10 @@ TEST(PeriodicAreaFit, ReachesAreasWhereverTheSitesLie) {
       if (name == "with radii") sites.push_back({4 * u, 3 * v, (i % 5) * 2.0});
     }
     const std::vector<double> shares = sharesOver(1, sites.size(), random);
-    expectFits(fitShares(sites, shares, lattice), sites, shares, lattice);
+    for (const Metric metric : {Metric::circles, Metric::power}) {
+      SCOPED_TRACE(metricName(metric));
+      expectFits(fitShares(sites, shares, lattice, 0, metric), sites, shares, lattice);
+    }
   }
 }
 

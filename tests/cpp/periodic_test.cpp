@@ -12,6 +12,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <ranges>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -32,8 +33,9 @@ namespace {
 
 using Circles = std::vector<Circle>;
 
-Options withWeights(bool weights) {
+Options withWeights(bool weights, Metric metric = Metric::circles) {
   Options options;
+  options.metric = metric;
   options.weights = weights;
   return options;
 }
@@ -168,7 +170,7 @@ class Block {
         }
       }
     }
-    diagram_ = compute(circles, withWeights(periodic.diagram.weights)).value();
+    diagram_ = compute(circles, withWeights(periodic.diagram.weights, periodic.diagram.metric)).value();
   }
 
   Neighbors neighborsOf(CircleIndex circle) const {
@@ -219,17 +221,28 @@ int trials() {
   return value == nullptr ? 40 : std::atoi(value);
 }
 
-TEST(Periodic, CellsAreThoseInTheMiddleOfABlockOfImages) {
+/// A circle without a power cell has several circles beside it, any of which may be named.
+void expectSameHiders(const std::map<std::int32_t, double>& a, const std::map<std::int32_t, double>& b, Metric metric) {
+  if (metric == Metric::power)
+    EXPECT_TRUE(std::ranges::equal(std::views::keys(a), std::views::keys(b)));
+  else
+    EXPECT_EQ(a, b);
+}
+
+void expectCellsOfABlock(Metric metric) {
   Random random(test::seedOr(46));
   for (int trial = 0; trial < trials(); ++trial) {
     const RandomLattice lattice = randomLattice(random, 20);
-    const Circles circles = randomCircles(random, lattice.nice, random.below(3) == 0);
+    Circles circles = randomCircles(random, lattice.nice, random.below(3) == 0);
     const bool hasWeights = random.below(4) == 0;
+    if (hasWeights && metric == Metric::power) {
+      for (Circle& c : circles) c.r = onGrid((random.below(2) == 0 ? 1 : -1) * c.r);
+    }
     SCOPED_TRACE("trial " + std::to_string(trial) + "\n" + test::describe(circles));
-    const PeriodicDiagram periodic = computePeriodic(circles, lattice.given(), withWeights(hasWeights)).value();
+    const PeriodicDiagram periodic = computePeriodic(circles, lattice.given(), withWeights(hasWeights, metric)).value();
     ASSERT_EQ(periodic.lattice, lattice.given());
     const Block block(periodic, lattice);
-    EXPECT_EQ(hidersOf(periodic), block.hiders());
+    expectSameHiders(hidersOf(periodic), block.hiders(), metric);
     for (CircleIndex i = 0; i < periodic.circleCount; ++i) {
       ASSERT_EQ(inNiceBasis(placedNeighborsOf(periodic, i), lattice.change), block.neighborsOf(i)) << i;
       const double scale = test::boxArea(lattice.nice);
@@ -239,10 +252,14 @@ TEST(Periodic, CellsAreThoseInTheMiddleOfABlockOfImages) {
   }
 }
 
+TEST(Periodic, CellsAreThoseInTheMiddleOfABlockOfImages) { expectCellsOfABlock(Metric::circles); }
+TEST(Periodic, PowerCellsAreThoseInTheMiddleOfABlockOfImages) { expectCellsOfABlock(Metric::power); }
+TEST(Periodic, CellsOfCentersAreThoseInTheMiddleOfABlockOfImages) { expectCellsOfABlock(Metric::centers); }
+
 /// Expects that the cells of the given circles have equal areas and fill the box.
-void expectWhole(const Circles& circles, const Lattice& lattice) {
+void expectWhole(const Circles& circles, const Lattice& lattice, Metric metric) {
   SCOPED_TRACE(test::describe(circles));
-  const PeriodicDiagram periodic = computePeriodic(circles, lattice).value();
+  const PeriodicDiagram periodic = computePeriodic(circles, lattice, withWeights(false, metric)).value();
   EXPECT_TRUE(checkPeriodic(periodic));
   EXPECT_NEAR(sumOfAreas(periodic) / test::boxArea(periodic.lattice), 1, 1e-12);
   for (CircleIndex i = 0; i < periodic.circleCount; ++i) {
@@ -252,17 +269,19 @@ void expectWhole(const Circles& circles, const Lattice& lattice) {
 }
 
 TEST(Periodic, LatticesOfTangentCirclesHaveEqualCells) {
-  for (const double side : {1.0, 0.1, 3e-17, 7e26}) {
-    const Lattice square = {{side, 0}, {0, side}};
-    for (const double r : {0.0, 0.5 * side, 0.9 * side, 30 * side}) {
-      expectWhole({{0.2 * side, 0.7 * side, r}}, square);
-      expectWhole({{0, 0, r}, {0.5 * side, 0.5 * side, r}}, square);
-      expectWhole({{0, 0, r / 2}, {0.5 * side, 0, r / 2}, {0, 0.5 * side, r / 2}, {0.5 * side, 0.5 * side, r / 2}},
-                  square);
+  for (const Metric metric : {Metric::circles, Metric::power, Metric::centers}) {
+    for (const double side : {1.0, 0.1, 3e-17, 7e26}) {
+      const Lattice square = {{side, 0}, {0, side}};
       const Lattice hexagonal = {{side, 0}, {side / 2, std::sqrt(3) / 2 * side}};
-      expectWhole({{0, 0, r}}, hexagonal);
       const Lattice rectangle = {{side, 0}, {0, std::sqrt(3) * side}};
-      expectWhole({{0, 0, r}, {side / 2, std::sqrt(3) / 2 * side, r}}, rectangle);
+      for (const double r : {0.0, 0.5 * side, 0.9 * side, 30 * side}) {
+        const double half = 0.5 * side;
+        expectWhole({{0.2 * side, 0.7 * side, r}}, square, metric);
+        expectWhole({{0, 0, r}, {half, half, r}}, square, metric);
+        expectWhole({{0, 0, r / 2}, {half, 0, r / 2}, {0, half, r / 2}, {half, half, r / 2}}, square, metric);
+        expectWhole({{0, 0, r}}, hexagonal, metric);
+        expectWhole({{0, 0, r}, {side / 2, std::sqrt(3) / 2 * side, r}}, rectangle, metric);
+      }
     }
   }
 }
@@ -273,7 +292,7 @@ TEST(Periodic, OneCircleIsItsOnlyNeighbor) {
   EXPECT_EQ(neighborsOf(periodic, 0), rotated(expected));
 }
 
-TEST(Periodic, MovingAllCirclesByAFractionOfAPeriodChangesNoNeighbors) {
+void expectSameWhereverTheyAre(Metric metric) {
   Random random(test::seedOr(47));
   for (int trial = 0; trial < trials() / 2; ++trial) {
     const RandomLattice lattice = randomLattice(random, 20);
@@ -284,16 +303,22 @@ TEST(Periodic, MovingAllCirclesByAFractionOfAPeriodChangesNoNeighbors) {
     Circles moved = circles;
     for (Circle& c : moved) c = {c.x + u * a.x + v * b.x, c.y + u * a.y + v * b.y, c.r};
     SCOPED_TRACE("trial " + std::to_string(trial) + "\n" + test::describe(circles));
-    const PeriodicDiagram first = computePeriodic(circles, lattice.nice).value();
-    const PeriodicDiagram second = computePeriodic(moved, lattice.nice).value();
-    const PeriodicDiagram third = computePeriodic(circles, lattice.given()).value();
+    const Options options = withWeights(false, metric);
+    const PeriodicDiagram first = computePeriodic(circles, lattice.nice, options).value();
+    const PeriodicDiagram second = computePeriodic(moved, lattice.nice, options).value();
+    const PeriodicDiagram third = computePeriodic(circles, lattice.given(), options).value();
     for (CircleIndex i = 0; i < first.circleCount; ++i) {
       ASSERT_EQ(neighborsOf(first, i), neighborsOf(second, i)) << i;
       ASSERT_EQ(neighborsOf(first, i), inNiceBasis(neighborsOf(third, i), lattice.change)) << i;
     }
-    EXPECT_EQ(hidersOf(first), hidersOf(second));
-    EXPECT_EQ(hidersOf(first), hidersOf(third));
+    expectSameHiders(hidersOf(first), hidersOf(second), metric);
+    expectSameHiders(hidersOf(first), hidersOf(third), metric);
   }
+}
+
+TEST(Periodic, MovingAllCirclesByAFractionOfAPeriodChangesNoNeighbors) {
+  expectSameWhereverTheyAre(Metric::circles);
+  expectSameWhereverTheyAre(Metric::power);
 }
 
 TEST(Periodic, PeriodsMayDifferAThousandfoldAndBeStronglySheared) {
@@ -553,27 +578,30 @@ TEST(Periodic, TheContactTableHasEachContactTwiceAndSharesUpToOne) {
 }
 
 /// Images of 13 circles, one of which is hidden.
-PeriodicDiagram someImages() {
+PeriodicDiagram someImages(Metric metric) {
   Random random(51);
   Circles circles;
   for (int i = 0; i < 12; ++i) circles.push_back({random.unit(), random.unit(), 0.05 * random.unit()});
   circles.push_back({circles[0].x, circles[0].y, 0});
   circles[0].r = 0.05;
-  return *computePeriodic(circles, {{1, 0}, {0.2, 1}});
+  return *computePeriodic(circles, {{1, 0}, {0.2, 1}}, withWeights(false, metric));
 }
 
 using Corruption = std::pair<const char*, std::function<void(PeriodicDiagram&)>>;
 
 void expectRefused(const std::vector<Corruption>& corruptions, ErrorCode code) {
-  const PeriodicDiagram whole = someImages();
-  ASSERT_TRUE(checkPeriodic(whole));
-  for (const auto& [what, corrupt] : corruptions) {
-    SCOPED_TRACE(what);
-    PeriodicDiagram periodic = whole;
-    corrupt(periodic);
-    const auto checked = checkPeriodic(periodic);
-    ASSERT_FALSE(checked);
-    EXPECT_EQ(checked.error().code, code) << checked.error().message;
+  for (const Metric metric : {Metric::circles, Metric::power}) {
+    SCOPED_TRACE(metricName(metric));
+    const PeriodicDiagram whole = someImages(metric);
+    ASSERT_TRUE(checkPeriodic(whole));
+    for (const auto& [what, corrupt] : corruptions) {
+      SCOPED_TRACE(what);
+      PeriodicDiagram periodic = whole;
+      corrupt(periodic);
+      const auto checked = checkPeriodic(periodic);
+      ASSERT_FALSE(checked);
+      EXPECT_EQ(checked.error().code, code) << checked.error().message;
+    }
   }
 }
 

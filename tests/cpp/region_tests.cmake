@@ -17,7 +17,8 @@ add_executable(circle_voronoi_region_tests
   recompute_test.cpp
   region_shapes.cpp
   region_test.cpp
-  shifted_signs_test.cpp)
+  shifted_signs_test.cpp
+  treemap_test.cpp)
 target_link_libraries(circle_voronoi_region_tests PRIVATE
   circle_voronoi_trials circle_voronoi::fit nlohmann_json::nlohmann_json GTest::gtest_main)
 gtest_discover_tests(circle_voronoi_region_tests ${discovery} NO_PRETTY_VALUES)

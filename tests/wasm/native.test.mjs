@@ -87,11 +87,12 @@ describe('the same bits as the native program, in a region', () => {
     })
   }
 
-  for (const [count, decades] of [
-    [40, 0],
-    [150, 2],
+  for (const [count, decades, metric] of [
+    [40, 0, 'circles'],
+    [150, 2, 'circles'],
+    [150, 2, 'power'],
   ]) {
-    it(`fitted: ${count} areas over ${decades} decades`, () => {
+    it(`fitted: ${count} areas over ${decades} decades, ${metric}`, () => {
       let state = count
       const random = () => {
         state = (state * 48_271) % 2_147_483_647
@@ -103,8 +104,9 @@ describe('the same bits as the native program, in a region', () => {
       const rows = sites.map(([x, y], i) => `${x},${y},0,${shares[i]}\n`)
       const file = written('sites.csv', `x,y,r,share\n${rows.join('')}`)
       const options = ['--areas', 'share', '--shares', '--region', written('region.json', json), '--format', 'json']
+      options.push('--metric', metric)
       const native = JSON.parse(printed('fit', file, ...options))
-      const { diagram, weights } = fitAreas(sites, shares, { region: shape, shares: true })
+      const { diagram, weights } = fitAreas(sites, shares, { region: shape, shares: true, metric })
       assert.deepStrictEqual(
         [...weights],
         native.circles.map(({ r }) => r),

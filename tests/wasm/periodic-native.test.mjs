@@ -8,12 +8,13 @@ import { NATIVE } from './native-program.mjs'
 
 const { fitAreas } = await loadRegions()
 
-for (const [count, lattice] of [
-  [3, [4, 0, 1, 3]],
-  [60, [4, 0, 1, 3]],
-  [40, [30, 1, 29, 2]],
+for (const [count, lattice, metric] of [
+  [3, [4, 0, 1, 3], 'circles'],
+  [60, [4, 0, 1, 3], 'circles'],
+  [40, [30, 1, 29, 2], 'circles'],
+  [60, [4, 0, 1, 3], 'power'],
 ]) {
-  it(`fitted: ${count} areas in the box ${lattice}`, () => {
+  it(`fitted: ${count} areas in the box ${lattice}, ${metric}`, () => {
     let state = count
     const random = () => {
       state = (state * 48_271) % 2_147_483_647
@@ -26,13 +27,24 @@ for (const [count, lattice] of [
     })
     const shares = sites.map(() => 1 + 9 * random())
     const rows = sites.map(([x, y], i) => `${x},${y},${shares[i]}\n`)
-    const options = ['--areas', 'share', '--shares', '--lattice', lattice.join(), '--format', 'json']
+    const options = [
+      '--areas',
+      'share',
+      '--shares',
+      '--lattice',
+      lattice.join(),
+      '--format',
+      'json',
+      '--metric',
+      metric,
+    ]
     const text = execFileSync(NATIVE, ['fit', '-', ...options], {
       input: `x,y,share\n${rows.join('')}`,
       encoding: 'utf8',
     })
     const native = JSON.parse(text).circles.flatMap(({ x, y, r }) => [x, y, r])
-    const { periodic } = fitAreas(sites, shares, { lattice: { a: [ax, ay], b: [bx, by] }, shares: true })
+    const { periodic } = fitAreas(sites, shares, { lattice: { a: [ax, ay], b: [bx, by] }, shares: true, metric })
+    assert.equal(periodic.diagram.metric, metric)
     assert.deepEqual([...periodic.diagram.circles], native)
   })
 }

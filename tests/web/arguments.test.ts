@@ -218,6 +218,13 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
     [...input(5, {}, 'x', ...lost(CIRCLES)), [lists('1 1; 1'), 'badInput', 1], [lists("1 1; 1 '1'"), 'badInput', 1]],
   ],
   areas: [[27], input(5, '12', ['1'], [undefined], new Array(1), ...lost(Float64Array.of(27)))],
+  tree: [
+    { children: [{ value: 1 }, { value: 2 }] },
+    [
+      ...input(5, null, 'x', { children: 5 }, { children: [5] }, { children: [{}] }, { children: [{ value: '1' }] }),
+      ...input({ children: [{ value: 0 }] }, { children: [{ value: -1 }] }, { children: [{ value: Number.NaN }] }),
+    ],
+  ],
   shape: [[POLYGON.map(({ x, y }) => [x, y])], option(7, null, undefined, 'x', {})],
   metric: ['power', option('x', 5, undefined)],
   known: [KNOWN, input(5, undefined, {}, { box: KNOWN.box }, { maxRadius: 1 }, ...wrongBoxes)],
@@ -300,7 +307,7 @@ const METHODS = 'method:choice candidates:choice'
 const COMPUTING = 'weights:truth samples resample:truth progress:function'
 const EDITING = 'weights:truth ids nextId'
 const FITTING =
-  'region lattice shares:truth tolerance:number maxSteps:count relax:count weights:startWeights onStep:function signal'
+  'region lattice metric:choice shares:truth tolerance:number maxSteps:count relax:count weights:startWeights onStep:function signal'
 const READING = 'name:text weights:truth points:truth x:text y:text radius:text id:text skipInvalid:truth'
 const COMPUTING_SPHERE = 'weights:truth radius:sphereRadius longitude:function latitude:function r:function'
 const IN_THREAD = `${COMPUTING} ${FINDING} method:name candidates:name signal`
@@ -362,6 +369,9 @@ const ROWS: readonly Row[] = [
   row(worker, 'edit', 'sent', EDITING),
   row(worker, 'fitAreas', 'sites areas', FITTING, { region }),
   row(regions, 'fitAreas', 'sites areas', FITTING, { region }),
+  row(regions, 'treemap', 'tree', 'metric:choice relax:count tolerance:number key:function progress:function signal', {
+    region,
+  }),
   row(regions, 'region', 'shape', 'dissolve:truth'),
   row(region, 'contains', 'number number'),
   row(spheres, 'computeSphere', 'places', COMPUTING_SPHERE),

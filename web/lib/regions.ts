@@ -22,6 +22,7 @@ export type {
   SiteLike,
 } from './wasm/fit.ts'
 export type { DissolveOptions, Regions } from './wasm/regions.ts'
+export type { TreemapCell, TreemapOptions, TreeNode, TreeWithCells } from './wasm/treemap.ts'
 
 /**
  * Loads the WebAssembly that clips diagrams to regions, and fits cells to given areas.
@@ -37,6 +38,7 @@ export type { DissolveOptions, Regions } from './wasm/regions.ts'
  */
 export async function loadRegions(options: LoadOptions = {}): Promise<Regions> {
   checkLoadOptions(options, 'loadRegions')
-  const { region, fitAreas } = await regionsOf(createModule, await compileWasm(options.wasm, defaultRegionsWasm))
-  return { region, fitAreas }
+  const wasm = await compileWasm(options.wasm, defaultRegionsWasm)
+  const { region, fitAreas, treemap } = await regionsOf(createModule, wasm)
+  return { region, fitAreas, treemap }
 }

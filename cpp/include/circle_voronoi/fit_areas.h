@@ -9,6 +9,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/metric.h"
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region.h"
 
@@ -22,6 +23,9 @@ struct AreaFitStep {
 };
 
 struct AreaFitOptions {
+  /// The distance less whose weights the cells are made: `circles` for borders that are arcs of hyperbolas, or `power`
+  /// for straight ones, with weights that are areas.
+  Metric metric = Metric::circles;
   /// Whether the areas are shares of the area of the region or box: they are multiplied so that they sum to it.
   bool shares = false;
   /// The largest relative error of each area, above 0 and below 1. Larger errors, below 1, remain only where a change
@@ -41,7 +45,7 @@ struct AreaFitOptions {
 
 struct AreaFit {
   std::vector<double> weights;  ///< the weight of each site; the least one is 0
-  Diagram diagram;              ///< the certified diagram of the sites with the weights as radii
+  Diagram diagram;              ///< the certified diagram of the sites with these weights
   std::vector<double> areas;    ///< the area of each cell inside the region
   double error = 0;             ///< the largest relative error of an area
   int steps = 0;                ///< the number of Newton steps, of all fits
@@ -49,7 +53,8 @@ struct AreaFit {
 };
 
 /// Finds weights for which each site's cell has a given area inside a region. A point belongs to the site with the
-/// smallest distance minus weight. The weights exist for all positive areas that sum to that of the region, and are
+/// smallest distance minus weight, or with Metric::power to that with the smallest squared distance minus weight. The
+/// weights exist for all positive areas that sum to that of the region, and are
 /// unique up to a common constant if the interior of the region is connected. Otherwise some of them may have a range,
 /// as where parts of the region touch in corners only.
 ///
@@ -57,7 +62,7 @@ struct AreaFit {
 /// those of exact cells then: vertices of the diagram have the digits of coordinates only, and areas measured with them
 /// differ by more.
 ///
-/// This is semi-discrete optimal transport with the distance as cost. The weights maximize a concave function. Its
+/// This is semi-discrete optimal transport with the distance or its square as cost. The weights maximize a concave function. Its
 /// gradient is what the areas lack, and its second derivative is the graph Laplacian of the edges, each a spring.
 /// Newton's method with damping finds them (V. Hartmann, D. Schuhmacher, doi:10.1007/s00186-020-00703-z; J. Kitagawa,
 /// Q. Mérigot, B. Thibert, arXiv:1603.05579).
@@ -76,7 +81,7 @@ struct AreaFit {
 /// Errors: nonFinite, coordinateTooLarge (both name the site), coordinateTooSmall, badInput (the numbers of areas and
 /// sites differ, an area is not positive and finite, two sites are equal, the areas do not sum to the region's, their
 /// sum exceeds the largest number, an area is so small or the region so large that a fit leaves the range of numbers),
-/// badOption, tooManyCircles (also if memory runs out), notConverged (the message gives the number of steps and the
+/// badOption (also Metric::centers, which has no weights), tooManyCircles (also if memory runs out), notConverged (the message gives the number of steps and the
 /// error reached; the last call of `onStep` got the best weights).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
@@ -84,7 +89,7 @@ Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> 
 /// The result of a fit in the box of a lattice.
 struct PeriodicAreaFit {
   std::vector<double> weights;  ///< the weight of each site; the least one is 0
-  PeriodicDiagram periodic;     ///< the certified diagram of the sites with the weights as radii
+  PeriodicDiagram periodic;     ///< the certified diagram of the sites with these weights
   std::vector<double> areas;    ///< the area of each cell
   double error = 0;             ///< the largest relative error of an area
   int steps = 0;                ///< the number of Newton steps, of all fits

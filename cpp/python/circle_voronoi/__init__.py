@@ -32,6 +32,7 @@ from ._frames import to_geodataframe
 from ._periodic import Contacts, PeriodicAreaFit, PeriodicDiagram, compute_periodic, fit_areas_periodic
 from ._regions import Region
 from ._sphere import EARTH_RADIUS, FarthestPlace, SphereDiagram, compute_sphere
+from ._treemap import treemap
 
 __all__ = [
     "AreaFit",
@@ -55,4 +56,5 @@ __all__ = [
     "read",
     "read_attributes",
     "to_geodataframe",
+    "treemap",
 ]

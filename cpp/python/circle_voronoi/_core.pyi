@@ -119,15 +119,24 @@ def clearest_path(
     tolerance: float | None,
 ) -> tuple[float, Indices, Floats] | None: ...
 def fit_areas(
-    sites: Floats, areas: Floats, region: Region, options: tuple[bool, float, int, int]
+    sites: Floats, areas: Floats, region: Region, options: tuple[str, bool, float, int, int]
 ) -> tuple[Floats, Diagram, Floats, float, int, float]: ...
 def fit_areas_in_box(
     sites: Floats,
     areas: Floats,
     a: tuple[float, float],
     b: tuple[float, float],
-    options: tuple[bool, float, int, int],
+    options: tuple[str, bool, float, int, int],
 ) -> tuple[Floats, PeriodicDiagram, Floats, float, int, float]: ...
+def treemap(
+    parents: Indices,
+    values: Floats,
+    region: Region,
+    metric: str,
+    relax: int | None,
+    tolerance: float,
+    previous: Floats,
+) -> tuple[Floats, Floats, Floats, Indices, Indices, Indices, Floats, float]: ...
 def holds_diagram(text: bytes) -> bool: ...
 def read_circles(text: bytes, name: str, weights: bool, points: bool) -> Floats: ...
 def read_attributes(text: bytes, name: str) -> list[str]: ...
@@ -159,6 +168,6 @@ class PeriodicDiagram:
     def contacts(self) -> tuple[Indices, Indices, Indices, Floats, Floats, Floats, Floats]: ...
 
 def compute_periodic(
-    circles: Floats, a: tuple[float, float], b: tuple[float, float], weights: bool, threads: int
+    circles: Floats, a: tuple[float, float], b: tuple[float, float], metric: str, weights: bool, threads: int
 ) -> PeriodicDiagram: ...
 def in_subinterpreter() -> bool: ...

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from os import PathLike
 
 METRICS = ("circles", "centers", "power")
+# Those with weights.
+FIT_METRICS = ("circles", "power")
 METHODS = ("auto", "touching-disc", "flip")
 CANDIDATES = ("dynamic", "uniform", "all-pairs")
 FORMATS = ("json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj")
@@ -547,7 +549,7 @@ class AreaFit(NamedTuple):
     """The result of `fit_areas`.
 
     `weights` has the weight of each point, the least one 0. `diagram` is the certified diagram of the points with
-    the weights as radii. `areas` are the areas of its cells inside the region, and `error` is the largest relative
+    these weights. `areas` are the areas of its cells inside the region, and `error` is the largest relative
     error of an area. `steps` is the number of Newton steps. `tolerance` is the error that was allowed: the option's, or
     more where the last bits of coordinates and weights allow no less.
 """
@@ -627,6 +629,7 @@ def fit_areas(
     areas: Any,
     region: Any,
     *,
+    metric: str = "circles",
     shares: bool = False,
     tolerance: float = 1e-9,
     max_steps: int = 500,
@@ -642,6 +645,9 @@ def fit_areas(
         Positive areas that sum to that of the region.
     region
         See `Region`.
+    metric : {"circles", "power"}
+        The distance of a point p from a site c: |p - c| less the weight, or |p - c|^2 less the weight, for cells with
+        straight borders.
     shares : bool
         Whether `areas` are shares: they are multiplied so that they sum to the area of the region.
     tolerance : float
@@ -666,7 +672,7 @@ def fit_areas(
     clip = region_of(None, region)
     if clip is None:
         raise CircleVoronoiError("fit_areas needs a region.", "badOption")
-    options = fit_options(areas, shares, tolerance, max_steps, relax)
+    options = fit_options(areas, metric, shares, tolerance, max_steps, relax)
     found = _core.fit_areas(*fit_arguments(points, areas, weights), clip, options)
     return AreaFit(found[0], Diagram(found[1]), *found[2:])
 
@@ -680,9 +686,12 @@ def fit_arguments(points: Any, areas: Any, weights: Any) -> tuple[Floats, Floats
     return np.column_stack([sites, column(weights, len(sites), "weights")]), column(areas, len(sites), "areas")
 
 
-def fit_options(areas: Any, shares: bool, tolerance: float, max_steps: int, relax: int) -> tuple[bool, float, int, int]:
+def fit_options(
+    areas: Any, metric: str, shares: bool, tolerance: float, max_steps: int, relax: int
+) -> tuple[str, bool, float, int, int]:
     """Return the options of a fit. Equal areas are shares."""
     return (
+        choice(metric, FIT_METRICS, "metric"),
         bool(shares) or isinstance(areas, str),
         positive(tolerance, "tolerance"),
         whole(max_steps, 1, 2**31 - 1, "max_steps"),

@@ -39,7 +39,7 @@ def circles_of(frame: Any, x: Any, y: Any, r: Any) -> Floats:
             )
         points = _points(frame)
     else:
-        points = np.column_stack([_column(frame, x or "x"), _column(frame, y or "y")])
+        points = np.column_stack([column_of(frame, x or "x"), column_of(frame, y or "y")])
         if _are_degrees(x, y, points):
             warnings.warn(
                 f"The columns {x} and {y} look like degrees, in which distances mean nothing in a plane. Use"
@@ -62,7 +62,7 @@ def caps_of(frame: Any, lat: Any, r: Any, lon: Any) -> Floats:
         places = _points(frame)
     else:
         names = [_first(frame, lon, LONGITUDES), _first(frame, lat, LATITUDES)]
-        places = np.column_stack([_column(frame, name) for name in names])
+        places = np.column_stack([column_of(frame, name) for name in names])
     return np.column_stack([places, _radii(frame, r)])
 
 
@@ -73,7 +73,7 @@ def _are_degrees(x: Any, y: Any, points: Floats) -> bool:
 
 
 def _radii(frame: Any, r: Any) -> Floats:
-    return _column(frame, r or "r") if r is None or isinstance(r, str) else column(r, len(frame), "r")
+    return column_of(frame, r or "r") if r is None or isinstance(r, str) else column(r, len(frame), "r")
 
 
 def _first(frame: Any, given: Any, usual: tuple[str, ...]) -> Any:
@@ -132,37 +132,39 @@ def check_crs(crs: Any, region: Any) -> None:
         )
 
 
-def _column(frame: Any, name: str) -> Floats:
+def column_of(frame: Any, name: str) -> Floats:
+    """Return the numbers of a column."""
     if name not in frame.columns:
         names = ", ".join(str(one) for one in frame.columns)
         raise CircleVoronoiError(f"The table has no column {name!r}. Its columns are {names}.")
     values = frame[name]
     missing = np.asarray(values.isna())
     if missing.any():
-        raise _row_error(frame, int(np.argmax(missing)), f"{name} is missing")
+        raise row_error(frame, int(np.argmax(missing)), f"{name} is missing")
     try:
         return column(values.to_numpy(), len(frame), name)
     except CircleVoronoiError as error:
         if error.circle is None:
             raise
         row = error.circle
-        raise _row_error(frame, row, f"{name} is not a number (got {values.iloc[row]!r})") from None
+        raise row_error(frame, row, f"{name} is not a number (got {values.iloc[row]!r})") from None
 
 
 def _points(frame: Any) -> Floats:
     points = np.empty((len(frame), 2))
     for row, geometry in enumerate(frame.geometry):
         if geometry is None or geometry.is_empty:
-            raise _row_error(frame, row, "there is no geometry")
+            raise row_error(frame, row, "there is no geometry")
         if geometry.geom_type == "MultiPoint" and len(geometry.geoms) == 1:
             geometry = geometry.geoms[0]
         if geometry.geom_type != "Point":
-            raise _row_error(frame, row, f"the geometry is a {geometry.geom_type}, not a Point")
+            raise row_error(frame, row, f"the geometry is a {geometry.geom_type}, not a Point")
         points[row] = geometry.x, geometry.y
     return points
 
 
-def _row_error(frame: Any, row: int, what: str) -> CircleVoronoiError:
+def row_error(frame: Any, row: int, what: str) -> CircleVoronoiError:
+    """Return an error that names a row by its position and its label."""
     label = frame.index[row]
     name = f"Row {row}" if label == row else f"Row {row} (index {label!r})"
     return CircleVoronoiError(f"{name}: {what}.", circle=row)

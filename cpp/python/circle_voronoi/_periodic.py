@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _core
-from ._arguments import Floats, Indices, finite_points, index, matrix, point, whole
-from ._diagram import Diagram, fit_arguments, fit_options
+from ._arguments import Floats, Indices, choice, finite_points, index, matrix, point, whole
+from ._diagram import METRICS, Diagram, fit_arguments, fit_options
 
 
 class Contacts(NamedTuple):
@@ -132,7 +132,7 @@ class PeriodicAreaFit(NamedTuple):
     """The result of `fit_areas_periodic`.
 
     `weights` has the weight of each point, the least one 0. `periodic` is the certified periodic diagram of the points with
-    the weights as radii. `areas` are the areas of its cells, and `error` is the largest relative error of an area.
+    these weights. `areas` are the areas of its cells, and `error` is the largest relative error of an area.
     `steps` is the number of Newton steps, and `tolerance` the error that was allowed (see `AreaFit`).
     """
 
@@ -144,7 +144,9 @@ class PeriodicAreaFit(NamedTuple):
     tolerance: float
 
 
-def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, threads: int = 1) -> PeriodicDiagram:
+def compute_periodic(
+    circles: Any, a: Any, b: Any, *, metric: str = "circles", weights: bool = False, threads: int = 1
+) -> PeriodicDiagram:
     """Compute the Voronoi diagram of circles in a box whose opposite sides are glued together.
 
     Parameters
@@ -153,7 +155,7 @@ def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, thr
         They may lie anywhere, overlap, and be larger than the box.
     a, b : array_like, shape (2,)
         The periods: the sides of the box, which is any parallelogram.
-    weights, threads
+    metric, weights, threads
         See `compute`.
 
     Returns
@@ -169,6 +171,7 @@ def compute_periodic(circles: Any, a: Any, b: Any, *, weights: bool = False, thr
         matrix(circles, ("x", "y", "r"), "circles"),
         point(a, "a"),
         point(b, "b"),
+        choice(metric, METRICS, "metric"),
         bool(weights),
         whole(threads, 0, 1024, "threads"),
     )
@@ -181,6 +184,7 @@ def fit_areas_periodic(
     a: Any,
     b: Any,
     *,
+    metric: str = "circles",
     shares: bool = False,
     tolerance: float = 1e-9,
     max_steps: int = 500,
@@ -197,7 +201,7 @@ def fit_areas_periodic(
         Positive areas that sum to that of the box.
     a, b : array_like, shape (2,)
         The periods: the sides of the box, which is any parallelogram.
-    shares, tolerance, max_steps, relax, weights
+    metric, shares, tolerance, max_steps, relax, weights
         See `fit_areas`.
 
     Returns
@@ -209,6 +213,6 @@ def fit_areas_periodic(
     CircleVoronoiError
         What `compute_periodic` or `fit_areas` raises.
     """
-    options = fit_options(areas, shares, tolerance, max_steps, relax)
+    options = fit_options(areas, metric, shares, tolerance, max_steps, relax)
     found = _core.fit_areas_in_box(*fit_arguments(points, areas, weights), point(a, "a"), point(b, "b"), options)
     return PeriodicAreaFit(found[0], PeriodicDiagram(found[1]), *found[2:])

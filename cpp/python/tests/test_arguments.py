@@ -117,6 +117,7 @@ KINDS = {
     "tolerance": Kind(0.1, *options([1], "x", 1j, 0, -1, NAN, INF)),
     "unused": Kind(None, *options(1, "x", (0, 0, 9, 9), CIRCLES[:3, :2], [{}] * 4)),
     "metric": Kind("circles", *options("euclidean", 5, None)),
+    "metric of a fit": Kind("circles", *options("centers", 5, None)),
     "method": Kind("auto", *options("fast", 5, None)),
     "candidates": Kind("dynamic", *options("some", 5, None)),
     "format": Kind("geojson", *options("pdf", 5, None)),
@@ -136,7 +137,7 @@ KINDS["caps"] = Kind(
 KINDS["places"] = Kind(*([KINDS["points"].right] + KINDS["points"].wrong), Wrong([[0, 1], [0, -91]], row=1))
 LIMITS = {"bounds": "bounds", "region": "region", "max_distance": "distance"}
 WITHIN = {"bounds": "bounds", "region": "region", "tolerance": "tolerance"}
-FIT = {"tolerance": "tolerance", "max_steps": "steps", "relax": "times", "weights": "starting weights"}
+FIT = {"metric": "metric of a fit", "tolerance": "tolerance", "max_steps": "steps", "relax": "times", "weights": "starting weights"}
 COMPUTE = {"metric": "metric", "method": "method", "candidates": "candidates", "samples": "samples", "threads": "threads"}
 
 
@@ -163,7 +164,7 @@ FUNCTIONS = [
     (cv.compute, ["rows"], COMPUTE),
     (lambda r: cv.compute(CIRCLES[:, :2], r=r), ["column"], {}),
     (lambda y, r: cv.compute(CIRCLES[:, 0], y, r), ["column", "column"], {}),
-    (cv.compute_periodic, ["rows", "period a", "period b"], {"threads": "threads"}),
+    (cv.compute_periodic, ["rows", "period a", "period b"], {"metric": "metric", "threads": "threads"}),
     (cv.fit_areas, ["points", "areas", "needed region"], FIT),
     (cv.fit_areas_periodic, ["points", "areas", "period a", "period b"], FIT),
     *((of(name), [], LIMITS) for name in ("areas", "centroids", "perimeters", "neighbor_pairs")),

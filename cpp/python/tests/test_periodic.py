@@ -18,6 +18,15 @@ def test_cells_fill_the_box_and_neighbors_are_mutual():
     assert borders == {(j, i, -s, -t) for i, j, s, t in borders}
 
 
+def test_power_cells_fill_the_box_and_have_given_areas():
+    a, b = (100, 0), (30, 90)
+    periodic = cv.compute_periodic(random_circles(40, 1), a, b, metric="power")
+    assert periodic.images.metric == "power" and periodic.images.certified
+    assert periodic.areas().sum() == pytest.approx(9000, rel=1e-12)
+    fit = cv.fit_areas_periodic(random_circles(12, 2)[:, :2], "equal", a, b, metric="power")
+    assert fit.periodic.areas() == pytest.approx(750, rel=1e-8)
+
+
 def test_the_contact_table_agrees_with_the_neighbors():
     periodic = cv.compute_periodic(random_circles(30, 2), (100, 0), (0, 100))
     contacts = periodic.contacts()

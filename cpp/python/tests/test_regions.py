@@ -71,6 +71,9 @@ def test_fitted_areas_are_those_asked_for():
     again = cv.fit_areas(points, fit.areas, ROOM, weights=fit.weights)
     assert again.steps <= 1
     assert cv.fit_areas(points, "equal", ROOM).areas == pytest.approx(ROOM.area / 20, rel=1e-8)
+    straight = cv.fit_areas(points, areas, ROOM, shares=True, metric="power")
+    assert straight.areas == pytest.approx(fit.areas, rel=1e-8)
+    assert straight.diagram.metric == "power" and straight.diagram.certified
 
 
 def test_options_of_a_fit():

@@ -116,7 +116,7 @@ Error doNotFit(const std::string& where) {
 }
 
 Result<void> checkCircle(const Diagram& diagram, std::size_t i) {
-  if (const auto error = errorOf(diagram.circles[i], diagram.weights)) {
+  if (const auto error = errorOf(diagram.circles[i], diagram.weights, diagram.metric)) {
     return Error{error->code, static_cast<std::int64_t>(i), "Circle " + std::to_string(i) + " " + error->what};
   }
   // Integers of fixed size hold multiples of the step alone.

@@ -10,12 +10,24 @@
 
 namespace circle_voronoi {
 
-std::optional<CircleError> errorOf(const Circle& c, bool weights) {
+namespace {
+
+/// The largest weight of a power diagram.
+constexpr double kWeightLimit = kCoordinateLimit * kCoordinateLimit;
+
+}  // namespace
+
+std::optional<CircleError> errorOf(const Circle& c, bool weights, Metric metric) {
+  const bool isArea = weights && metric == Metric::power;
+  const std::string size = isArea ? "weight" : "radius";
   if (!std::isfinite(c.x)) return CircleError{ErrorCode::nonFinite, "has an x that is not a finite number."};
   if (!std::isfinite(c.y)) return CircleError{ErrorCode::nonFinite, "has a y that is not a finite number."};
-  if (!std::isfinite(c.r)) return CircleError{ErrorCode::nonFinite, "has a radius that is not a finite number."};
+  if (!std::isfinite(c.r)) return CircleError{ErrorCode::nonFinite, "has a " + size + " that is not a finite number."};
   if (c.r < 0 && !weights) return CircleError{ErrorCode::negativeRadius, "has a negative radius."};
-  if (largestNumber(c) <= kCoordinateLimit) return std::nullopt;
+  if (isArea && std::abs(c.r) > kWeightLimit) {
+    return CircleError{ErrorCode::coordinateTooLarge, "has a weight beyond 6.3e57 (2^192)."};
+  }
+  if (largestNumber({c.x, c.y, isArea ? 0 : c.r}) <= kCoordinateLimit) return std::nullopt;
   return CircleError{ErrorCode::coordinateTooLarge,
                      std::string("has a coordinate or a radius beyond ") + kCoordinateLimitText + "."};
 }
@@ -31,7 +43,7 @@ std::optional<Error> tooSmallError(double largest, const std::string& what) {
                    std::to_string(power) + "."};
 }
 
-Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first) {
+Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first, Metric metric) {
   if (circles.size() > kMaxCircles) {
     return Error{ErrorCode::tooManyCircles, kNone,
                  "There are " + std::to_string(circles.size()) + " circles; at most " + std::to_string(kMaxCircles) +
@@ -43,7 +55,7 @@ Result<void> validatePart(std::span<const Circle> circles, bool weights, std::si
                  "that is linked with -ffast-math."};
   }
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (const auto error = errorOf(circles[i], weights)) {
+    if (const auto error = errorOf(circles[i], weights, metric)) {
       const std::size_t circle = first + i;
       return Error{error->code, static_cast<std::int64_t>(circle),
                    "Circle " + std::to_string(circle) + " " + error->what};
@@ -52,45 +64,22 @@ Result<void> validatePart(std::span<const Circle> circles, bool weights, std::si
   return {};
 }
 
-namespace {
-
-/// The largest weight of a power diagram.
-constexpr double kWeightLimit = kCoordinateLimit * kCoordinateLimit;
-
-/// Checks circles whose numbers r are the weights of a power diagram, and returns them normalized.
-Result<std::vector<Circle>> validateWithPowers(std::span<const Circle> circles) {
-  std::vector<Circle> points = pointsOf(circles);
-  if (const auto valid = validatePart(points, true, 0); !valid) return valid.error();
+Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights, Metric metric) {
+  if (const auto valid = validatePart(circles, weights, 0, metric); !valid) return valid.error();
+  const bool areAreas = weights && metric == Metric::power;
   double largest = 0;
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    const double weight = circles[i].r;
-    if (!(std::abs(weight) <= kWeightLimit)) {
-      return Error{std::isfinite(weight) ? ErrorCode::coordinateTooLarge : ErrorCode::nonFinite,
-                   static_cast<std::int64_t>(i),
-                   "Circle " + std::to_string(i) +
-                       (std::isfinite(weight) ? " has a weight beyond 6.3e57 (2^192)."
-                                              : " has a weight that is not a finite number.")};
-    }
-    largest = std::max({largest, largestNumber(points[i]), std::sqrt(std::abs(weight))});
+  for (const Circle& c : circles) {
+    const double size = areAreas ? std::sqrt(std::abs(c.r)) : c.r;
+    largest = std::max(largest, largestNumber({c.x, c.y, size}));
   }
   if (auto error = tooSmallError(largest, "The circles")) return *std::move(error);
-  points = normalized(points);
+  if (!areAreas) return normalized(circles);
+  std::vector<Circle> result = normalized(pointsOf(circles));
   // Multiples of the square of kCoordinateStep.
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    points[i].r = rounded(circles[i].r / kCoordinateStep) * kCoordinateStep + 0.0;
+    result[i].r = rounded(circles[i].r / kCoordinateStep) * kCoordinateStep + 0.0;
   }
-  return points;
-}
-
-}  // namespace
-
-Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights, Metric metric) {
-  if (weights && metric == Metric::power) return validateWithPowers(circles);
-  if (const auto valid = validatePart(circles, weights, 0); !valid) return valid.error();
-  double largest = 0;
-  for (const Circle& c : circles) largest = std::max(largest, largestNumber(c));
-  if (auto error = tooSmallError(largest, "The circles")) return *std::move(error);
-  return normalized(circles);
+  return result;
 }
 
 std::vector<Circle> normalized(std::span<const Circle> circles) {

@@ -20,9 +20,10 @@ struct CircleError {
   std::string what;
 };
 
-/// Returns the error of a circle, if any: nonFinite, negativeRadius unless radii are weights, coordinateTooLarge.
-/// Exported like `validate`.
-CIRCLE_VORONOI_API std::optional<CircleError> errorOf(const Circle& circle, bool weights);
+/// Returns the error of a circle, if any: nonFinite, negativeRadius unless radii are weights, coordinateTooLarge. The
+/// weights of a power diagram are areas: they may be as large as the square of a coordinate. Exported like `validate`.
+CIRCLE_VORONOI_API std::optional<CircleError> errorOf(const Circle& circle, bool weights,
+                                                      Metric metric = Metric::circles);
 
 /// Returns the error for an input whose largest number is not 0 and is below kSmallestInput: coordinateTooSmall.
 /// `what` begins the sentence, as "The circles".
@@ -34,8 +35,7 @@ inline Circle normalized(const Circle& given) {
   return {c.x + 0.0, c.y + 0.0, c.r + 0.0};
 }
 
-/// Checks the circles. Returns them normalized. The weights of a power diagram are areas: they may be as large as the
-/// square of a coordinate, and are rounded to multiples of 2^-192.
+/// Checks the circles. Returns them normalized. The weights of a power diagram are rounded to multiples of 2^-192.
 /// Errors: nonFinite, negativeRadius unless radii are weights (Options::weights), coordinateTooLarge,
 /// coordinateTooSmall, tooManyCircles, badArithmetic. Exported because the readers and writers, a library of their own,
 /// call it.
@@ -43,7 +43,8 @@ CIRCLE_VORONOI_API Result<std::vector<Circle>> validate(std::span<const Circle> 
                                                         Metric metric = Metric::circles);
 
 /// Checks a part of the circles of an input, which may all be small. Errors number the circles from `first`.
-CIRCLE_VORONOI_API Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first);
+CIRCLE_VORONOI_API Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first,
+                                             Metric metric = Metric::circles);
 /// Returns what `validatePart` has accepted, normalized.
 std::vector<Circle> normalized(std::span<const Circle> circles);
 

@@ -117,8 +117,12 @@ class TieSettler {
 
 }  // namespace
 
+std::vector<int> settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles) {
+  return TieSettler(dual, ties, circles).run();
+}
+
 void settleTies(Dual& dual, Verdict& verdict, std::span<const Circle> circles, Predicates& predicates) {
-  const std::vector<int> changed = TieSettler(dual, verdict.ties, circles).run();
+  const std::vector<int> changed = settleTies(dual, verdict.ties, circles);
   Proof& proof = verdict.proof;
   Prover prover(dual, circles, predicates, proof.discs, proof.halfEdges);
   for (const int face : changed) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "dual.h"
@@ -22,6 +23,10 @@ namespace circle_voronoi {
 /// `verdict` must be the verdict of the judge on `dual`. A correct dual stays correct, because the regions in the
 /// judge's theorem stay the same sets of points. The proof records of the faces that change are computed again.
 void settleTies(Dual& dual, Verdict& verdict, std::span<const Circle> circles, Predicates& predicates);
+
+/// Does the same for a dual of circles that touch one disc, or are lifted into one plane, in faces that are divided by
+/// the edges `ties`. Returns the faces that change.
+std::vector<int> settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles);
 
 /// Returns whether an edge of length zero is right by the rule of `settleTies`.
 bool isSettledTie(const Dual& dual, int h, std::span<const Circle> circles);

@@ -16,9 +16,12 @@
 namespace circle_voronoi {
 namespace {
 
-double lengthBetween(const Diagram& diagram, const Edge& edge) {
+/// The spring of an edge between two circles, or an image of one, along a part of its curve.
+Spring springOf(const Diagram& diagram, const Edge& edge, const EdgeCurve& arc) {
   const auto circle = [&](CircleIndex i) { return diagram.circles[static_cast<std::size_t>(i)]; };
-  return length(between(circle(edge.left), circle(edge.right)));
+  const double apart = length(between(circle(edge.left), circle(edge.right)));
+  const double stiff = diagram.metric == Metric::power ? stiffnessOfPowers(arc, apart) : stiffness(arc);
+  return {edge.left, edge.right, stiff, apart};
 }
 
 }  // namespace
@@ -26,7 +29,7 @@ double lengthBetween(const Diagram& diagram, const Edge& edge) {
 CellMeasure measureCells(const Diagram& diagram, const Region& region) {
   CellMeasure result;
   const auto clipped = ClipParts::clip(diagram, region, {}, {}, [&](const Edge& edge, const EdgeCurve& arc) {
-    result.springs.push_back({edge.left, edge.right, stiffness(arc), lengthBetween(diagram, edge)});
+    result.springs.push_back(springOf(diagram, edge, arc));
   });
   if (!clipped) throw ThrownError{clipped.error()};
   result.areas = clipped->areas();
@@ -45,8 +48,10 @@ CellMeasure measureCells(const PeriodicDiagram& periodic) {
     // A border with an image has a twin, seen from the other circle.
     const bool isCounted = j < periodic.circleCount || (i < periodic.circleCount && i < given(j));
     if (!isCounted) continue;
-    const double stiff = stiffness(edgeCurve(diagram, static_cast<std::int32_t>(k)));
-    result.springs.push_back({i, given(j), stiff, lengthBetween(diagram, edge)});
+    Spring spring = springOf(diagram, edge, edgeCurve(diagram, static_cast<std::int32_t>(k)));
+    spring.left = i;
+    spring.right = given(j);
+    result.springs.push_back(spring);
   }
   return result;
 }

@@ -15,11 +15,11 @@
 #include "cell_measure.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/compute.h"
 #include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/metric.h"
-#include "compute_circles.h"
 #include "guarded.h"
 #include "named_option.h"
 #include "number_text.h"
@@ -86,6 +86,14 @@ Lattice checkSites(std::span<const Circle> sites, const Lattice& lattice) {
         second);
   }
   return periodic->lattice;
+}
+
+/// The options of the diagrams of a fit, which differ from the default for powers only.
+Options diagramOptions(Metric metric) {
+  Options options;
+  options.metric = metric;
+  options.weights = metric == Metric::power;
+  return options;
 }
 
 /// The cells that some weights lead to.
@@ -293,8 +301,9 @@ class Fitter {
         if (isMeasured ? state->cells.areas[i] > 0 : diagram.hasCell(static_cast<std::int32_t>(i))) continue;
         const Point site = {diagram.circles[i].x, diagram.circles[i].y};
         const auto nearest = static_cast<std::size_t>(finder.find(site));
-        const double reached = distance(Metric::circles, diagram.circles[nearest], site);
-        weights[i] = kRaise * std::sqrt(targets_[i]) - reached;
+        const double reached = distance(diagram.metric, diagram.circles[nearest], site, diagram.weights);
+        const double side = kRaise * std::sqrt(targets_[i]);
+        weights[i] = (arePowers() ? side * side : side) - reached;
       }
     }
     return {};
@@ -451,10 +460,15 @@ class Fitter {
     std::vector<Spring> springs = state.cells.springs;
     if (!around_ || density_.background > 0) return springs;
     // A border through a corner in which parts of the region touch has next to no length inside, and holds nothing.
-    std::erase_if(springs, [](const Spring& spring) { return !(spring.stiffness > kWeak * spring.length); });
+    std::erase_if(springs, [&](const Spring& spring) { return !(lengthOf(spring) > kWeak * spring.length); });
     if (SpringSystem(sites_.size(), springs).components() == 1) return springs;
     return supported(std::move(springs), state);
   }
+
+  bool arePowers() const { return options_.metric == Metric::power; }
+
+  /// The length of the border that a spring stands for, roughly: how fast its area grows as the border moves.
+  double lengthOf(const Spring& spring) const { return spring.stiffness * (arePowers() ? 2 * spring.length : 1); }
 
   /// Returns springs together with weaker ones in the box around the region.
   std::vector<Spring> supported(std::vector<Spring> springs, const State& state) const {
@@ -470,7 +484,7 @@ class Fitter {
     std::vector<double> x;
     for (int round = 0; round <= kMostHardenings; ++round) {
       x = system.solve(stiffness, forces);
-      if (x.empty() || !harden(springs, state.weights, x, stiffness)) break;
+      if (x.empty() || arePowers() || !harden(springs, state.weights, x, stiffness)) break;
     }
     return x;
   }
@@ -516,9 +530,10 @@ class Fitter {
     for (const Spring& spring : state.cells.springs) {
       const auto i = static_cast<std::size_t>(spring.left);
       const auto j = static_cast<std::size_t>(spring.right);
-      const double number = std::max({state.weights[i], state.weights[j], coordinate});
-      noise[i] += spring.stiffness * 0x1p-52 * number;
-      noise[j] += spring.stiffness * 0x1p-52 * number;
+      const double ofWeights = spring.stiffness * std::max(state.weights[i], state.weights[j]);
+      const double most = 0x1p-52 * std::max(ofWeights, lengthOf(spring) * coordinate);
+      noise[i] += most;
+      noise[j] += most;
     }
     return noise;
   }
@@ -537,9 +552,9 @@ class Fitter {
 
   static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }
 
-  /// Returns whether weights hide a site that is next to another in a state.
-  static bool isHiddenAt(std::span<const double> weights, const State& near) {
-    return std::ranges::any_of(near.cells.springs, [&](const Spring& spring) {
+  /// Returns whether weights let a neighbor of a site in a state hide it.
+  bool isHiddenAt(std::span<const double> weights, const State& near) const {
+    return !arePowers() && std::ranges::any_of(near.cells.springs, [&](const Spring& spring) {
       const auto i = static_cast<std::size_t>(spring.left);
       const auto j = static_cast<std::size_t>(spring.right);
       return spring.length <= std::abs(weights[i] - weights[j]);
@@ -577,13 +592,15 @@ class Fitter {
   }
 
   Result<PeriodicDiagram> foundFor(std::span<const Circle> circles, const State* near) const {
-    if (!region_) return computePeriodic(circles, lattice_);
+    const Options options = diagramOptions(options_.metric);
+    if (!region_) return computePeriodic(circles, lattice_, options);
     PeriodicDiagram found;
-    if (std::optional<Diagram> changed = near ? recompute(near->found.diagram, circles) : std::nullopt) {
+    if (std::optional<Diagram> changed =
+            near && !arePowers() ? recompute(near->found.diagram, circles) : std::nullopt) {
       found.diagram = *std::move(changed);
       return found;
     }
-    Result<Diagram> diagram = computeCircles(circles);
+    Result<Diagram> diagram = compute(circles, options);
     if (!diagram) return diagram.error();
     found.diagram = std::move(diagram).value();
     return found;
@@ -694,6 +711,9 @@ std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites
 }
 
 void checkOptions(const AreaFitOptions& options) {
+  if (options.metric == Metric::centers) {
+    refuse(ErrorCode::badOption, "A fit needs weights, which the metric centers has not.");
+  }
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
     refuse(ErrorCode::badOption, "",
            {"", "tolerance", " must be above 0 and below 1 (got " + numberText(options.tolerance) + ").", "tolerance"});
@@ -731,7 +751,7 @@ Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> 
         const Point place = placeOf({circles[i].x, circles[i].y}, moved.by);
         circles[i] = {place.x, place.y, state.weights[i]};
       }
-      Result<Diagram> diagram = computeCircles(circles);
+      Result<Diagram> diagram = compute(circles, diagramOptions(options.metric));
       if (!diagram) return diagram.error();
       state.found.diagram = std::move(diagram).value();
     }

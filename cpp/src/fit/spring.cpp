@@ -5,6 +5,7 @@
 
 #include "arc_measure.h"
 #include "carlson.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {
@@ -37,6 +38,10 @@ double stiffness(const EdgeCurve& arc) {
   const double c2 = bisector.a * bisector.a + bisector.b * bisector.b;
   const double curved = c2 / bisector.b * (sinhExcess(ratio) + sine * rise) / 4;
   return bisector.b * logarithm(ratio) / 2 + curved;
+}
+
+double stiffnessOfPowers(const EdgeCurve& border, double distance) {
+  return length({border.end.x - border.start.x, border.end.y - border.start.y}) / (2 * distance);
 }
 
 }  // namespace circle_voronoi

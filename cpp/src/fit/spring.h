@@ -10,4 +10,7 @@ namespace circle_voronoi {
 /// Precondition: the arc is bounded.
 double stiffness(const EdgeCurve& arc);
 
+/// Returns the same for a border of a power diagram between centers at a distance: its length over twice the distance.
+double stiffnessOfPowers(const EdgeCurve& border, double distance);
+
 }  // namespace circle_voronoi

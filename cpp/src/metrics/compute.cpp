@@ -4,7 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "circle_voronoi/compute_periodic.h"
 #include "compute_circles.h"
+#include "compute_images.h"
 #include "guarded.h"
 #include "power_diagram.h"
 #include "threads.h"
@@ -46,6 +48,11 @@ Result<Diagram> compute(std::span<const Circle> circles, const Options& options)
     if (options.metric == Metric::centers) return diagramOfCenters(circles, options);
     return powerDiagram(circles, options);
   });
+}
+
+Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const Lattice& lattice,
+                                        const Options& options) {
+  return computeImages(circles, lattice, options, compute);
 }
 
 }  // namespace circle_voronoi

@@ -9,6 +9,7 @@
 
 #include "in_circle.h"
 #include "judge_power.h"
+#include "settle_ties.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -204,6 +205,91 @@ class Triangulator {
   int hint_ = 0;
 };
 
+/// The edges of a triangulation whose two faces lie in one plane, and the corners with such edges alone.
+class FlatParts {
+ public:
+  FlatParts(std::span<const WeightedPoint> sites, const Dual& dual) : bends_(sites.size(), 0) {
+    for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+      const int t = dual.twin[h];
+      if (t < h) continue;
+      if (!dual.isFinite(h / 3) || !dual.isFinite(t / 3)) continue;
+      const auto [a, b, c] = cornersOf(dual, h);
+      if (powerTest(sites[a], sites[b], sites[c], sites[dual.origin[Dual::previous(t)]]) == 0) {
+        edges_.push_back(h);
+      } else {
+        ++bends_[a];
+        ++bends_[b];
+      }
+    }
+    if (!edges_.empty()) addHull(sites, dual);
+  }
+
+  /// Each by one of its half-edges.
+  const std::vector<int>& edges() const { return edges_; }
+
+  /// Returns whether the cell of a corner has no interior. A convex surface bends along three edges or more where it
+  /// has a corner. Inside a face it bends along none, and along a straight edge along the two parts of this edge.
+  bool isFlat(int corner) const { return !edges_.empty() && bends_[corner] < 3; }
+
+ private:
+  /// A corner of the hull is none of the surface only if it lies on the lifted line of its two neighbors there.
+  void addHull(std::span<const WeightedPoint> sites, const Dual& dual) {
+    for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+      if (isFinite(dual.origin[h])) continue;
+      const int v = dual.target(h);
+      const int before = dual.origin[Dual::previous(h)];
+      const int after = dual.target(dual.aroundClockwise(h));
+      const bool isOnLine = orientation(sites[before].p, sites[v].p, sites[after].p) == 0 &&
+                            powerTest(sites[before], sites[after], sites[v]) == 0;
+      bends_[v] = isOnLine ? 0 : 3;
+    }
+  }
+
+  std::vector<int> edges_;
+  std::vector<int> bends_;  ///< for each site the number of edges at which the surface bends
+};
+
+/// Triangulates the sites that are chosen.
+RegularTriangulation ofChosen(std::span<const WeightedPoint> sites, const std::vector<int>& chosen) {
+  std::vector<WeightedPoint> corners;
+  for (const int site : chosen) corners.push_back(sites[site]);
+  RegularTriangulation result = regularTriangulation(corners);
+  for (int& corner : result.dual.origin) {
+    if (isFinite(corner)) corner = chosen[corner];
+  }
+  for (int& site : result.hidden) site = chosen[site];
+  std::vector<bool> isChosen(sites.size(), false);
+  for (const int site : chosen) isChosen[site] = true;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (!isChosen[i]) result.hidden.push_back(static_cast<int>(i));
+  }
+  std::sort(result.hidden.begin(), result.hidden.end());
+  return result;
+}
+
+/// Returns the one triangulation among those of the same surface.
+RegularTriangulation settled(RegularTriangulation found, std::span<const WeightedPoint> sites) {
+  const FlatParts flat(sites, found.dual);
+  if (flat.edges().empty()) return found;
+  std::vector<bool> isCorner(sites.size(), true);
+  for (const int site : found.hidden) isCorner[site] = false;
+  std::vector<int> corners;
+  bool hasFlat = false;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto site = static_cast<int>(i);
+    if (!isCorner[i]) continue;
+    if (flat.isFlat(site))
+      hasFlat = true;
+    else
+      corners.push_back(site);
+  }
+  if (hasFlat) return ofChosen(sites, corners);
+  std::vector<Circle> places;
+  for (const WeightedPoint& site : sites) places.push_back({site.p.x, site.p.y, 0});
+  settleTies(found.dual, flat.edges(), places);
+  return found;
+}
+
 }  // namespace
 
 RegularTriangulation regularTriangulation(std::span<const WeightedPoint> sites) {
@@ -219,7 +305,7 @@ RegularTriangulation regularTriangulation(std::span<const WeightedPoint> sites) 
   for (std::size_t i = 2; i < sites.size(); ++i) {
     if (i != third) triangulator.insert(static_cast<int>(i));
   }
-  return std::move(triangulator).result();
+  return settled(std::move(triangulator).result(), sites);
 }
 
 }  // namespace circle_voronoi

@@ -36,6 +36,11 @@ export interface PeriodicFitOptions extends CommonFitOptions {
  * @category Regions
  */
 export interface CommonFitOptions {
+  /**
+   * The distance of a point from a site: the distance less the weight (`circles`), or its square less the weight
+   * (`power`), which makes borders straight. Default: `circles`.
+   */
+  readonly metric?: 'circles' | 'power' | undefined
   /** Whether `areas` are shares, which are scaled so that they sum to the area of the region or box. Default: false. */
   readonly shares?: boolean | undefined
   /**
@@ -85,7 +90,7 @@ export interface FitStep {
  * @category Regions
  */
 export interface AreaFit extends FitStep {
-  /** The certified diagram of the sites, with the weights as radii. The least weight is 0. */
+  /** The certified diagram of the sites with these weights. The least weight is 0. */
   readonly diagram: Diagram
   /** The area of each cell inside the region. */
   readonly areas: Float64Array
@@ -99,7 +104,7 @@ export interface AreaFit extends FitStep {
  * @category Regions
  */
 export interface PeriodicAreaFit extends FitStep {
-  /** The certified diagram of the sites, with the weights as radii. The least weight is 0. */
+  /** The certified diagram of the sites with these weights. The least weight is 0. */
   readonly periodic: PeriodicDiagram
   /** The area of each cell. */
   readonly areas: Float64Array
@@ -117,6 +122,7 @@ export interface FitInput {
   /** x, y and starting weight of each site. */
   readonly sites: Float64s
   readonly areas: Float64s
+  readonly metric: 'circles' | 'power'
   readonly shares: boolean
   readonly tolerance: number
   readonly maxSteps: number
@@ -132,7 +138,8 @@ export function fitInput(
   options: FitOptions | PeriodicFitOptions,
 ): FitInput {
   checkOptionNames(options, 'fitAreas', NAMES)
-  const { region, shares = false, tolerance = 1e-9, maxSteps = 500, relax = 0, weights, onStep, signal } = options
+  const { region, metric = 'circles', shares = false, tolerance = 1e-9, maxSteps = 500, relax = 0 } = options
+  const { weights, onStep, signal } = options
   const lattice = options.lattice === undefined ? undefined : latticeNumbers(options.lattice, 'fitAreas')
   if (lattice === undefined && !(region instanceof Region)) {
     refuseOption(
@@ -140,6 +147,7 @@ export function fitInput(
     )
   }
   if (lattice !== undefined && region !== undefined) refuseOption('fitAreas takes a region or a lattice, not both.')
+  if (metric !== 'circles' && metric !== 'power') refuseOption(`metric is circles or power, not ${shown(metric)}.`)
   if (typeof shares !== 'boolean') refuseOption(`shares is true or false, not ${shown(shares)}.`)
   if (typeof tolerance !== 'number') refuseOption(`tolerance is a number, not ${shown(tolerance)}.`)
   checkCount(maxSteps, 'maxSteps')
@@ -147,7 +155,7 @@ export function fitInput(
   if (onStep !== undefined && typeof onStep !== 'function') refuseOption('The option onStep is a function.')
   checkSignal(signal)
   const numbers = { sites: sitesWith(sites, weights), areas: numbersOf(areas, 'areas') }
-  return { ...numbers, shares, tolerance, maxSteps, relax, lattice }
+  return { ...numbers, metric, shares, tolerance, maxSteps, relax, lattice }
 }
 
 function checkCount(count: unknown, name: string): void {
@@ -161,7 +169,7 @@ export function checkSignal(signal: unknown): void {
   if (signal !== undefined && !(signal instanceof AbortSignal)) refuseOption('The option signal is an AbortSignal.')
 }
 
-const NAMES = ['region', 'lattice', 'shares', 'tolerance', 'maxSteps', 'relax', 'weights', 'onStep', 'signal']
+const NAMES = ['region', 'lattice', 'metric', 'shares', 'tolerance', 'maxSteps', 'relax', 'weights', 'onStep', 'signal']
 
 /** Returns x, y and starting weight of each site. Points have the weight 0; the option `weights` replaces radii. */
 function sitesWith(

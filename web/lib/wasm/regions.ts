@@ -18,6 +18,14 @@ import {
 } from './fit.ts'
 import { judgedArrays } from './judged-arrays.ts'
 import { periodicOf } from './module-periodic.ts'
+import {
+  type TreemapArrays,
+  type TreemapInput,
+  type TreemapOptions,
+  type TreeNode,
+  type TreeWithCells,
+  treeOf,
+} from './treemap.ts'
 import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from './wasm.ts'
 
 /**
@@ -80,11 +88,31 @@ export interface Regions {
     areas: Float64Array | readonly number[],
     options: PeriodicFitOptions,
   ): PeriodicAreaFit
+  /**
+   * Divides a region among the nodes of a tree, so that each area is in proportion to the value of the node, and the cells
+   * of its children fill its cell. Takes what `d3.hierarchy(data).sum(...)` returns, or nodes with `children` and
+   * `value`, sets `polygon`, `polygons`, `area` and `site` on each node, and returns the root.
+   *
+   * @throws CircleVoronoiError `badInput`, with the names of the node, if a value is no number, negative or not finite,
+   *   all are zero, or a node is twice in the tree; `notConverged` and other codes of `fitAreas`; `badOption`
+   * @example
+   * const { region, treemap } = await loadRegions()
+   * const square = region([[[0, 0], [2, 0], [2, 2], [0, 2]]])
+   * const root = treemap({ children: [{ name: 'a', value: 3 }, { name: 'b', value: 1 }] }, { region: square })
+   * root.children[0].area // 3
+   */
+  treemap<Node extends TreeNode>(root: Node, options: TreemapOptions): TreeWithCells<Node>
 }
 
 /** The functions of a module of regions. */
 export interface RegionsOfModule extends Regions {
   regionOf(rings: RingArrays): Region
+  cellsOfTree(
+    region: Region,
+    input: TreemapInput,
+    progress: TreemapOptions['progress'],
+    signal?: AbortSignal,
+  ): TreemapArrays
 }
 
 /** The script of the module, as written by Emscripten. The types of the package omit the types of its functions. */
@@ -162,6 +190,30 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
     },
     regionOf: (rings) => regionOf(rings),
     fitAreas,
+    cellsOfTree,
+    treemap(root, options) {
+      const tree = treeOf(root, options)
+      const { region, progress, signal } = options
+      try {
+        return tree.finish(cellsOfTree(region, tree.input, progress, signal))
+      } catch (error) {
+        throw tree.named(error)
+      }
+    },
+  }
+
+  function cellsOfTree(
+    region: Region,
+    { parents, values, ...chosen }: TreemapInput,
+    progress: TreemapOptions['progress'],
+    signal?: AbortSignal,
+  ): TreemapArrays {
+    const domain = addresses.get(region)
+    if (domain === undefined) refuseOption('The region of treemap was made by another module of regions.')
+    const result = whileTelling(progress, signal, (tell) =>
+      module.treemap(domain, parents, values, { ...chosen, progress: tell }),
+    )
+    return unwrap(result)
   }
 
   function fitAreas(
@@ -183,26 +235,41 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
     const { region, onStep, signal } = options
     const domain = lattice ?? (region && addresses.get(region))
     if (domain === undefined) refuseOption('The region of fitAreas was made by another module of regions.')
-    signal?.throwIfAborted()
-    let thrown: unknown
-    let hasThrown = false
-    const tell = (steps: number, error: number, weights: Float64Array) => {
-      try {
-        onStep?.({ steps, error, weights })
-        signal?.throwIfAborted()
-      } catch (reason) {
-        thrown = reason
-        hasThrown = true
-      }
-      return !hasThrown
-    }
-    const result = module.fitAreas(domain, circles, targets, { ...chosen, onStep: tell })
-    if (hasThrown) throw thrown
+    const result = whileTelling(
+      (steps: number, error: number, weights: Float64Array) => onStep?.({ steps, error, weights }),
+      signal,
+      (tell) => module.fitAreas(domain, circles, targets, { ...chosen, onStep: tell }),
+    )
     const { relativeError: error, ...fit } = unwrap(result)
-    if ('periodic' in fit) return { ...fit, error, periodic: periodicOf(fit.periodic, circles.length / 3) }
+    const { metric } = chosen
+    if ('periodic' in fit) return { ...fit, error, periodic: periodicOf(fit.periodic, circles.length / 3, metric) }
     const { diagram, circles: weighted, ...rest } = fit
-    return { ...rest, error, diagram: new Diagram({ metric: 'circles', circles: weighted, ...diagram }) }
+    return { ...rest, error, diagram: new Diagram({ metric, circles: weighted, ...diagram }) }
   }
+}
+
+/**
+ * Runs a computation that calls `tell` again and again. Where a listener throws or a signal is aborted, the computation
+ * ends with that reason. No exception passes through WebAssembly.
+ */
+function whileTelling<Told extends unknown[], Value>(
+  listener: ((...told: Told) => void) | undefined,
+  signal: AbortSignal | undefined,
+  run: (tell: (...told: Told) => boolean) => Value,
+): Value {
+  signal?.throwIfAborted()
+  let thrown: { readonly reason: unknown } | undefined
+  const value = run((...told) => {
+    try {
+      listener?.(...told)
+      signal?.throwIfAborted()
+    } catch (reason) {
+      thrown = { reason }
+    }
+    return thrown === undefined
+  })
+  if (thrown !== undefined) throw (thrown as { readonly reason: unknown }).reason
+  return value
 }
 
 /** A clipped diagram in the module's memory. */

@@ -136,6 +136,7 @@ interface WasmRegionsModule {
     sites: Float64Array,
     areas: Float64Array,
     options: {
+      readonly metric: string
       readonly shares: boolean
       readonly tolerance: number
       readonly maxSteps: number
@@ -150,6 +151,15 @@ interface WasmRegionsModule {
         readonly diagram: WasmDiagram
       })
     | (WasmFit & { readonly periodic: WasmPeriodicDiagram })
+  treemap(
+    region: number,
+    parents: Int32Array,
+    values: Float64Array,
+    options: Omit<import('./treemap.ts').TreemapInput, 'parents' | 'values'> & {
+      /** Whether to go on; must not throw. */
+      readonly progress: (done: number, count: number) => boolean
+    },
+  ): WasmError | import('./treemap.ts').TreemapArrays
 }
 
 interface WasmFit {

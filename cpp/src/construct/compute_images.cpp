@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "circle_voronoi/compute_periodic.h"
+#include "compute_images.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "circle_voronoi/periodic_diagram.h"
-#include "compute_circles.h"
 #include "guarded.h"
 #include "infinity.h"
 #include "integer.h"
@@ -31,12 +30,17 @@ namespace {
 //
 // Theorem. Let R be the largest radius, and H^2 = |a|^2 + |b'|^2, where b' is the part of b perpendicular to a. The
 // images whose centers lie within H - (R - r) of the parallelogram of the given centers, r being their radius, decide
-// all cells of the given circles. Proof. Let m = H / 2. Each point lies within m of an image of any circle: subtract
+// all cells of the given circles. In a power diagram with the largest weight W and m = H / 2, those do that lie within
+// m + sqrt(m^2 - (W - w)), w being their weight; if this root is not real, they have no cell.
+//
+// Proof. Let m = H / 2. Each point lies within m of an image of any circle: subtract
 // multiples of b, then of a. Hence the distance f(p) from the nearest circle is at most m - R. Let p be a point of the
 // closed cell of given circle i, and j an image that is as near to p. Then |p - c_i| = f(p) + r_i <= m - R + r_i and |p
 // - c_j| <= m - R + r_j, so |c_i - c_j| <= H - (R - r_j) because r_i <= R. If circle i is hidden, then also by the
 // nearest image of each circle that hides it. Such a circle is visible, so m - R + r_j >= 0, and the image lies within
-// m <= H - (R - r_j).
+// m <= H - (R - r_j). Powers: f(p) <= m^2 - W, so |p - c_j|^2 <= m^2 - (W - w_j), and |p - c_i| <= m. If circle i has no
+// cell, its center lies in the triangle of the three circles of a vertex q, and so no farther than the farthest of these
+// centers from q, within m. The three are as near to the center of i as those of cells, and circle i is hidden by them.
 
 /// Coordinates of centers and periods have this many bits. The coordinates of an image are less than eight times as
 /// large: the given circles lie within kWidest periods of each other in both directions, and H is at most 1.53 times
@@ -51,16 +55,26 @@ struct Torus {
   Lattice lattice;  ///< rounded, in the unit of the input
   ReducedLattice reduced;
   std::vector<Vector> centers;
-  std::vector<double> deficits;  ///< of each circle the largest radius minus its own
+  std::vector<double> deficits;  ///< of each circle the largest radius minus its own; weights for Metric::power
   std::vector<Vector> moves;     ///< of each circle by how many reduced periods it was moved; empty if by none
+
+  Metric metric = Metric::circles;
 
   double inUnits(double length) const { return length / unit; }
   double inInput(double length) const { return length * unit; }
 };
 
+/// Returns what decides how far a circle reaches: its radius or weight, in the unit given; the weights of a power
+/// diagram are areas.
+double sizeOf(const Circle& c, const Options& options, double unit) {
+  if (options.metric == Metric::centers) return 0;
+  if (options.metric == Metric::circles) return c.r / unit;
+  return options.weights ? c.r / unit / unit : c.r / unit * (c.r / unit);
+}
+
 double largestOf(Vector v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
-Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice) {
+Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice, const Options& options) {
   const auto& [a, b] = lattice;
   double largest = std::max(largestOf(a), largestOf(b));
   // Not >, which is false for NaN.
@@ -68,13 +82,10 @@ Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice) {
     return Error{ErrorCode::badOption, kNone,
                  std::string("The periods must be finite numbers, at most ") + kCoordinateLimitText + "."};
   }
-  double radius = -kInfinite;
-  for (const Circle& c : circles) {
-    largest = std::max(largest, largestOf({c.x, c.y}));
-    radius = std::max(radius, c.r);
-  }
+  for (const Circle& c : circles) largest = std::max(largest, largestOf({c.x, c.y}));
   if (auto error = tooSmallError(largest, "The circles and periods")) return *std::move(error);
   Torus torus;
+  torus.metric = options.metric;
   int exponent = 0;
   std::frexp(largest, &exponent);
   torus.unit = std::max(std::ldexp(1.0, exponent - kBits), kCoordinateStep);
@@ -90,9 +101,11 @@ Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice) {
   torus.lattice = {asInput(roundedVector(a)), asInput(roundedVector(b))};
   torus.centers.reserve(circles.size());
   torus.deficits.reserve(circles.size());
+  double size = -kInfinite;
+  for (const Circle& c : circles) size = std::max(size, sizeOf(c, options, torus.unit));
   for (const Circle& c : circles) {
     torus.centers.push_back(roundedVector({c.x, c.y}));
-    torus.deficits.push_back(torus.inUnits(radius - c.r));
+    torus.deficits.push_back(size - sizeOf(c, options, torus.unit));
   }
   return torus;
 }
@@ -162,6 +175,7 @@ class Images {
   /// A distance that is likely to be enough: a few times the mean distance, more for circles that reach out of the
   /// parallelogram.
   double likely() const {
+    const bool arePowers = torus_.metric == Metric::power;
     double mean = 0;
     for (const double deficit : torus_.deficits) mean += deficit / static_cast<double>(circles_.size());
     double reach = 0;
@@ -169,9 +183,14 @@ class Images {
       const Vector p = spread_.places[i];
       const double depth = std::min(std::min(p.x - spread_.low.x, spread_.high.x - p.x) * heights_.x,
                                     std::min(p.y - spread_.low.y, spread_.high.y - p.y) * heights_.y);
-      reach = std::max(reach, mean - torus_.deficits[i] - depth);
+      const double excess = mean - torus_.deficits[i];
+      reach = std::max(reach, (arePowers ? std::sqrt(std::max(excess, 0.0)) : excess) - depth);
     }
-    return 4.5 * spacing() + mean + reach;
+    // For the circles of mean size.
+    const double enough = 4.5 * spacing() + reach;
+    if (!arePowers) return enough + mean;
+    const double far = std::max(enough, std::sqrt(mean));
+    return far + mean / far;
   }
 
   /// The distance to add if that is not enough, in both directions.
@@ -183,13 +202,13 @@ class Images {
     return {gap(spread_.low.x, spread_.high.x, heights_.x), gap(spread_.low.y, spread_.high.y, heights_.y)};
   }
 
-  /// The circles and their images within a distance in each direction, less what the largest radius exceeds theirs by.
+  /// The circles and their images within a distance in each direction, or less if they are smaller than the largest.
   PeriodicDiagram within(Vector halo) const {
     std::vector<Bounds> bounds;
     bounds.reserve(circles_.size());
     double count = 0;
     for (std::size_t i = 0; i < circles_.size(); ++i) {
-      bounds.push_back(boundsOf(i, {halo.x - torus_.deficits[i], halo.y - torus_.deficits[i]}));
+      bounds.push_back(boundsOf(i, {reachOf(i, halo.x), reachOf(i, halo.y)}));
       const auto& [first, last] = bounds.back();
       count += (last.x - first.x + 1) * (last.y - first.y + 1);
     }
@@ -221,6 +240,13 @@ class Images {
     Vector first;
     Vector last;
   };
+
+  /// The distance for a circle where the largest have `halo`, by the theorem above.
+  double reachOf(std::size_t i, double halo) const {
+    if (torus_.metric != Metric::power) return halo - torus_.deficits[i];
+    const double half = halo / 2;
+    return half + std::sqrt(std::max(half * half - torus_.deficits[i], 0.0));
+  }
 
   /// A little more than `halo`, which makes up for rounding.
   Bounds boundsOf(std::size_t i, Vector halo) const {
@@ -266,8 +292,10 @@ bool hasEqualCirclesApart(const PeriodicDiagram& images) {
   const auto isApart = [&](const HiddenCircle& hidden) {
     const auto circle = static_cast<std::size_t>(hidden.circle);
     const auto by = static_cast<std::size_t>(hidden.by);
-    return images.diagram.circles[circle] == images.diagram.circles[by] &&
-           images.circleOf[circle] < images.circleOf[by];
+    const Circle& a = images.diagram.circles[circle];
+    const Circle& b = images.diagram.circles[by];
+    const bool isEqual = a.x == b.x && a.y == b.y && (a.r == b.r || images.diagram.metric == Metric::centers);
+    return isEqual && images.circleOf[circle] < images.circleOf[by];
   };
   return std::any_of(images.diagram.hidden.begin(), images.diagram.hidden.end(), isApart);
 }
@@ -282,7 +310,8 @@ Error ofGivenCircle(Error error, const PeriodicDiagram& images) {
   return error;
 }
 
-Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, const Options& options) {
+Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, const Options& options,
+                                  const ComputeFunction& compute) {
   Spread spread = spreadOf(torus);
   if (spread.high.x - spread.low.x > kWidest || spread.high.y - spread.low.y > kWidest) {
     gather(torus);
@@ -298,7 +327,7 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
   const auto across = [&](double gap) { return gap < halo ? halo : gap + halo; };
   for (Vector reach = within(across(gaps.x), across(gaps.y));;) {
     PeriodicDiagram result = images.within(reach);
-    auto diagram = computeCircles(result.diagram.circles, options);
+    auto diagram = compute(result.diagram.circles, options);
     if (!diagram) return ofGivenCircle(diagram.error(), result);
     result.diagram = std::move(diagram).value();
     if (!result.diagram.certificate.certified()) {
@@ -306,7 +335,7 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
     }
     if (torus.moves.empty() && hasEqualCirclesApart(result)) {
       gather(torus);
-      return computeOn(circles, std::move(torus), options);
+      return computeOn(circles, std::move(torus), options, compute);
     }
     auto checked = checkPeriodic(result);
     if (checked) return result;
@@ -318,21 +347,21 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
 
 }  // namespace
 
-Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const Lattice& lattice,
-                                        const Options& options) {
+Result<PeriodicDiagram> computeImages(std::span<const Circle> circles, const Lattice& lattice, const Options& options,
+                                      const ComputeFunction& compute) {
   return guarded([&]() -> Result<PeriodicDiagram> {
-    if (auto valid = validatePart(circles, options.weights, 0); !valid) return valid.error();
-    auto torus = torusOf(circles, lattice);
+    if (auto valid = validatePart(circles, options.weights, 0, options.metric); !valid) return valid.error();
+    auto torus = torusOf(circles, lattice, options);
     if (!torus) return torus.error();
     Options own = options;
     own.progress = lettingThrough(options.progress);
     own.observer = lettingThrough(options.observer);
     if (circles.empty()) {
-      auto diagram = computeCircles(circles, own);
+      auto diagram = compute(circles, own);
       if (!diagram) return diagram.error();
       return PeriodicDiagram{std::move(diagram).value(), 0, torus.value().lattice, {}, {}};
     }
-    return computeOn(circles, std::move(torus).value(), own);
+    return computeOn(circles, std::move(torus).value(), own, compute);
   });
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/options.h"
+#include "circle_voronoi/periodic_diagram.h"
+
+namespace circle_voronoi {
+
+using ComputeFunction = std::function<Result<Diagram>(std::span<const Circle>, const Options&)>;
+
+/// Does what `computePeriodic` promises with a function that computes the diagrams of circles and images, for what does
+/// without some metrics.
+CIRCLE_VORONOI_API Result<PeriodicDiagram> computeImages(std::span<const Circle> circles, const Lattice& lattice,
+                                                         const Options& options, const ComputeFunction& compute);
+
+}  // namespace circle_voronoi
