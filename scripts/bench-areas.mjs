@@ -106,7 +106,7 @@ function worstError(polygons, shares) {
   return Number(Math.max(...errors).toPrecision(2))
 }
 
-function secondsOf(run) {
+export function secondsOf(run) {
   const start = performance.now()
   run()
   return Number(((performance.now() - start) / 1000).toPrecision(3))

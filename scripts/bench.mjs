@@ -3,12 +3,13 @@
 // build/bench/native.json; circle-voronoi-bench explains its options), then the WebAssembly build against the native one
 // on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly;
 // with `-- --regions` that of clipping, also of polygons and edits in WebAssembly; with `-- --periodic` that of periodic
-// diagrams; with `-- --areas` that of fits of areas, also against d3-voronoi-map; with `-- --python` that of the Python
-// package against the program and scipy.
+// diagrams; with `-- --areas` that of fits of areas, also against d3-voronoi-map; with `-- --treemaps` that of treemaps in
+// WebAssembly against d3-voronoi-treemap; with `-- --python` that of the Python package against the program and scipy.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { benchAreas } from './bench-areas.mjs'
 import { benchEdits, benchWorstEdits } from './bench-edits.mjs'
 import { benchRegions } from './bench-regions.mjs'
+import { benchTreemaps } from './bench-treemap.mjs'
 import { benchWasm } from './bench-wasm.mjs'
 import { realData } from './data.mjs'
 import { build, main, outcomeOf, ROOT, run } from './run.mjs'
@@ -18,6 +19,10 @@ const WASM_SIZES = [10_000, 100_000, 1_000_000]
 const REPETITIONS = 5
 
 await main(async () => {
+  if (process.argv[2] === '--treemaps') {
+    await build('build:lib')
+    return console.table(await benchTreemaps())
+  }
   await build('build:native')
   if (process.argv[2] === '--python') {
     const environment = { PYTHONPATH: `${ROOT}build/native/cpp/python` }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { hierarchy } from 'd3-hierarchy'
+import { voronoiTreemap } from 'd3-voronoi-treemap'
+import { secondsOf } from './bench-areas.mjs'
+import { ROOT } from './run.mjs'
+
+const SQUARE = [
+  [0, 0],
+  [1, 0],
+  [1, 1],
+  [0, 1],
+]
+
+/**
+ * Returns a row for each hierarchy: seconds of `treemap` in WebAssembly and of d3-voronoi-treemap with its defaults, the
+ * largest relative error of a leaf's area, and how far sites move, as a share of the root of a mean cell's area, when one
+ * value changes by a hundredth: `treemap` with `previous`, and d3-voronoi-treemap from the sites of its first run. Needs
+ * dist/lib.
+ */
+export async function benchTreemaps() {
+  const { loadRegions } = await import(`${ROOT}dist/lib/regions.js`)
+  const { region, treemap } = await loadRegions()
+  const square = region([SQUARE])
+  const rows = []
+  for (const [leaves, perNode] of [
+    [300, 300],
+    [300, 17],
+    [5000, 17],
+    [5000, 71],
+  ]) {
+    const data = treeOf(leaves, perNode)
+    const ours = measured(data, (root, previous) => treemap(root, { region: square, previous }))
+    const d3 = measured(data, mapped)
+    rows.push({
+      leaves,
+      'children of a node': perNode,
+      ...named('treemap', ours),
+      ...named('d3', d3),
+      'times faster': Number((d3.seconds / ours.seconds).toFixed(1)),
+    })
+  }
+  return rows
+}
+
+function named(name, { seconds, error, moved }) {
+  return { [`${name}: s`]: seconds, [`${name}: error`]: error, [`${name}: moved`]: moved }
+}
+
+/** A tree with values over four decades. */
+function treeOf(leaves, perNode) {
+  let state = leaves
+  const random = () => {
+    state = (state * 48_271) % 2_147_483_647
+    return state / 2_147_483_647
+  }
+  let level = Array.from({ length: leaves }, (_, i) => ({ name: `${i}`, value: 10 ** (4 * random()) }))
+  while (level.length > perNode) {
+    const parents = []
+    for (let i = 0; i < level.length; i += perNode) parents.push({ name: `${i}`, children: level.slice(i, i + perNode) })
+    level = parents
+  }
+  return { name: 'all', children: level }
+}
+
+function measured(data, run) {
+  const root = hierarchy(data).sum(({ value }) => value ?? 0)
+  const seconds = secondsOf(() => run(root))
+  const leaves = root.leaves()
+  const errors = leaves.map((leaf) => Math.abs(areaOf(leaf.polygon) / (leaf.value / root.value) - 1))
+  const changed = hierarchy(data).sum(({ value, name }) => (value ?? 0) * (name === '7' ? 1.01 : 1))
+  run(changed, root)
+  const mean = Math.sqrt(1 / leaves.length)
+  const moves = changed.leaves().map(({ polygon, site }, i) => {
+    const [after, before] = [site ?? polygon.site, leaves[i].site ?? leaves[i].polygon.site]
+    return Math.hypot(after.x - before.x, after.y - before.y) / mean
+  })
+  return { seconds, error: rounded(Math.max(...errors)), moved: rounded(Math.max(...moves)) }
+}
+
+/** Runs d3-voronoi-treemap with random numbers that are the same each time, and from the sites of an earlier run if there is one. */
+function mapped(root, previous) {
+  let state = 1
+  const prng = () => {
+    state = (state * 48_271) % 2_147_483_647
+    return state / 2_147_483_647
+  }
+  const siteOf = new Map()
+  for (const node of previous?.descendants() ?? []) siteOf.set(node.data, node.polygon.site)
+  const map = voronoiTreemap().clip(SQUARE.toReversed()).prng(prng)
+  if (previous !== undefined) {
+    map.initialPosition(({ data }) => [siteOf.get(data).x, siteOf.get(data).y])
+    map.initialWeight(({ data }) => siteOf.get(data).weight)
+  }
+  map(root)
+}
+
+function areaOf(polygon) {
+  const twice = polygon.reduce((total, [x, y], k) => {
+    const [u, v] = polygon[(k + 1) % polygon.length]
+    return total + x * v - u * y
+  }, 0)
+  return Math.abs(twice) / 2
+}
+
+function rounded(value) {
+  return Number(value.toPrecision(2))
+}
