@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "certify_circles.h"
-#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/final_cells.h"
 #include "circle_voronoi/periodic_diagram.h"
 #include "compute_circles.h"
+#include "compute_images.h"
 #include "option_names.h"
 #include "trace_arrays.h"
 #include "values.h"

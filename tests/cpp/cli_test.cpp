@@ -124,8 +124,9 @@ TEST_F(Cli, OtherMetricsAreCertifiedAndNamedInFiles) {
   const auto diagram = nlohmann::json::parse(run("compute - --metric power --weights w", weighted).out);
   // The border of the first two circles: x^2 + 4 = (x - 3)^2 - 1.
   EXPECT_NEAR(diagram.at("vertices").at(0).at("x").get<double>(), 4.0 / 6, 1e-15);
-  const std::vector<std::string> options = {"--method flip", "--trace " + path("trace"), "--lattice 9,0,0,9",
-                                            "--sphere"};
+  const auto periodic = run("compute - --metric power --lattice 9,0,0,9", "1,2,3\n5,4,1\n");
+  EXPECT_EQ(nlohmann::json::parse(periodic.out).at("metric"), "power");
+  const std::vector<std::string> options = {"--method flip", "--trace " + path("trace"), "--sphere"};
   for (const std::string& option : options) {
     const auto failed = run("compute - --metric power " + option, "1,2,3\n");
     EXPECT_EQ(failed.status, 2) << option;

@@ -105,17 +105,22 @@ Lattice latticeAround(const std::vector<Circle>& circles) {
 }
 
 TEST(GrowthOfQueries, OfAPeriodicDiagram) {
-  expectGrowth({"computePeriodic", "compute_periodic.h",
-                [](const GrowthInput& input) {
-                  return [circles = input.circles] {
-                    const PeriodicDiagram periodic = computePeriodic(circles, latticeAround(circles)).value();
-                    const PeriodicFinder finder(periodic);
-                    for (const Point& p : pointsBetween(circles)) EXPECT_TRUE(finder.find(p));
-                    for (CircleIndex i = 0; i < periodic.circleCount; ++i) static_cast<void>(neighbors(periodic, i));
-                    static_cast<void>(contactTable(periodic));
-                  };
-                },
-                circleFamilies()});
+  for (const Metric metric : {Metric::circles, Metric::power}) {
+    expectGrowth({"computePeriodic, " + std::string(metricName(metric)), "compute_periodic.h",
+                  [metric](const GrowthInput& input) {
+                    return [circles = input.circles, metric] {
+                      Options options;
+                      options.metric = metric;
+                      const PeriodicDiagram periodic =
+                          computePeriodic(circles, latticeAround(circles), options).value();
+                      const PeriodicFinder finder(periodic);
+                      for (const Point& p : pointsBetween(circles)) EXPECT_TRUE(finder.find(p));
+                      for (CircleIndex i = 0; i < periodic.circleCount; ++i) static_cast<void>(neighbors(periodic, i));
+                      static_cast<void>(contactTable(periodic));
+                    };
+                  },
+                  circleFamilies()});
+  }
 }
 
 }  // namespace

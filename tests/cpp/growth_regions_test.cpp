@@ -10,6 +10,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/region.h"
+#include "circle_voronoi/treemap.h"
 #include "growth.h"
 #include "steps.h"
 
@@ -127,6 +128,19 @@ TEST(GrowthOfRegions, OfFits) {
         },
         kMost);
   }
+}
+
+// Each node has about as many children, so that the fits are as large.
+TEST(GrowthOfRegions, OfTreemaps) {
+  expectGrowth("tree", 500, [](std::size_t size) {
+    constexpr std::size_t kChildren = 12;
+    std::vector<TreemapNode> nodes = {{-1, 0}};
+    for (std::size_t i = 1; i < size; ++i) {
+      nodes.push_back({static_cast<std::int32_t>((i - 1) / kChildren), 1.0 + static_cast<double>(i % 17)});
+    }
+    const Region square = Region::from(Box{0, 0, 1, 1}).value();
+    return static_cast<double>(stepsOf([&] { (void)treemap(nodes, square).value(); }));
+  });
 }
 
 }  // namespace

@@ -40,7 +40,9 @@ struct Contact {
   CircleIndex circle = {};
   CircleImage neighbor;
   double length = 0;  ///< of the border; the sum if the two cells share several edges
-  double gap = 0;     ///< |c - c'| - r - r'; negative if the circles overlap
+  /// |c - c'| - r - r'; negative if the circles overlap. Where the weights of a power diagram are given, r is the root of
+  /// the weight, with its sign.
+  double gap = 0;
 };
 
 /// The table of a packing.
@@ -50,7 +52,7 @@ struct ContactTable {
   std::vector<Contact> contacts;
   std::vector<double> areas;  ///< of each circle's cell; 0 if it is hidden
   /// For each circle the share of its cell that it covers, from 0 to 1. For a circle that overlaps none this is its
-  /// area divided by that of the cell.
+  /// area divided by that of the cell. For one that does, this is only known for Metric::circles, and else NaN.
   std::vector<double> packingFractions;
 };
 

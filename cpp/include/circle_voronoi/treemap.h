@@ -62,7 +62,8 @@ struct Treemap {
 /// areas in the cell of their parent (`fitAreas`). With a convex region and straight borders, all cells are convex.
 ///
 /// Sites begin in the middle of the parts into which lines divide the parent's cell, with the right areas. So the result
-/// depends on values and region alone, and the same input gives the same bits on every platform.
+/// depends on values and region alone, and the same input gives the same bits on every platform. Takes the steps of a fit
+/// for the children of each node.
 ///
 /// Errors: badInput, with a node as `circle`, if there are no nodes, a parent does not come before its child, a second node
 /// has no parent, a value of a leaf is negative or not finite, or all are zero; badOption; notConverged and the other

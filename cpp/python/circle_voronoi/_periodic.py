@@ -19,7 +19,7 @@ class Contacts(NamedTuple):
     `circle`, `neighbor` and `shift` (shape (k, 2)) name the two circles: the neighbor is moved by shift[0] times the first
     period and shift[1] times the second one. `length` is the length of the border, and `gap` the distance between the two
     circles, negative if they overlap. `area` and `packing_fraction` have a row for each circle: the area of its cell,
-    and the share of its cell that it covers.
+    and the share of its cell that it covers. If it overlaps another circle and the metric is not "circles", this is NaN.
     """
 
     circle: Indices

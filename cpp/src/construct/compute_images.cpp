@@ -311,7 +311,7 @@ Error ofGivenCircle(Error error, const PeriodicDiagram& images) {
 }
 
 Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, const Options& options,
-                                  const ComputeFunction& compute) {
+                                  ComputeFunction& compute) {
   Spread spread = spreadOf(torus);
   if (spread.high.x - spread.low.x > kWidest || spread.high.y - spread.low.y > kWidest) {
     gather(torus);
@@ -348,7 +348,7 @@ Result<PeriodicDiagram> computeOn(std::span<const Circle> circles, Torus torus, 
 }  // namespace
 
 Result<PeriodicDiagram> computeImages(std::span<const Circle> circles, const Lattice& lattice, const Options& options,
-                                      const ComputeFunction& compute) {
+                                      ComputeFunction& compute) {
   return guarded([&]() -> Result<PeriodicDiagram> {
     if (auto valid = validatePart(circles, options.weights, 0, options.metric); !valid) return valid.error();
     auto torus = torusOf(circles, lattice, options);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "circle_voronoi/circle.h"
@@ -12,11 +11,11 @@
 
 namespace circle_voronoi {
 
-using ComputeFunction = std::function<Result<Diagram>(std::span<const Circle>, const Options&)>;
+using ComputeFunction = Result<Diagram>(std::span<const Circle>, const Options&);
 
 /// Does what `computePeriodic` promises with a function that computes the diagrams of circles and images, for what does
 /// without some metrics.
 CIRCLE_VORONOI_API Result<PeriodicDiagram> computeImages(std::span<const Circle> circles, const Lattice& lattice,
-                                                         const Options& options, const ComputeFunction& compute);
+                                                         const Options& options, ComputeFunction& compute);
 
 }  // namespace circle_voronoi

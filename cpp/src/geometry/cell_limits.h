@@ -11,6 +11,12 @@
 
 namespace circle_voronoi {
 
+/// Returns the radius of a circle, or the root of the weight that it has in a power diagram, with the weight's sign.
+inline double radiusOf(const Diagram& diagram, const Circle& c) {
+  const bool isRoot = diagram.metric == Metric::power && diagram.weights;
+  return isRoot ? std::copysign(std::sqrt(std::abs(c.r)), c.r) : c.r;
+}
+
 /// Returns the radius of the disc around the center of a circle that a maximum distance keeps. It may be negative.
 inline double reachFrom(const Diagram& diagram, CircleIndex circle, double maxDistance) {
   const double r = diagram.metric == Metric::circles ? diagram.circles[static_cast<std::size_t>(circle)].r : 0;

@@ -5,18 +5,13 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "cell_limits.h"
 #include "scale.h"
 
 namespace circle_voronoi {
 namespace {
 
 const Circle& circleAt(const Diagram& diagram, CircleIndex i) { return diagram.circles[static_cast<std::size_t>(i)]; }
-
-/// Returns the radius of a circle, or the root of the weight that it has in a power diagram, with the weight's sign.
-double radiusOf(const Diagram& diagram, const Circle& c) {
-  const bool isRoot = diagram.metric == Metric::power && diagram.weights;
-  return isRoot ? std::copysign(std::sqrt(std::abs(c.r)), c.r) : c.r;
-}
 
 /// Returns a bound on the rounding error of distanceDifference: a part of the distance between the two centers minus
 /// the difference of the radii.

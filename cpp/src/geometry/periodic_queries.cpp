@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
 #include "at.h"
+#include "cell_limits.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/periodic_diagram.h"
@@ -27,6 +29,8 @@ ReducedLattice reduced(const Lattice& lattice, int& exponent) {
   const auto scaled = [&](Vector v) { return Vector{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)}; };
   return reduce(scaled(a), scaled(b));
 }
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* kTooFar = "The point is not finite, or 2^30 periods away or more.";
 
@@ -91,6 +95,7 @@ ContactTable contactTable(const PeriodicDiagram& periodic) {
     const Outline cell = outline(diagram, i);
     if (cell.empty()) continue;
     const Circle& c = diagram.circles[at(i)];
+    const double r = radiusOf(diagram, c);
     std::map<std::array<std::int32_t, 3>, std::size_t> met;
     double least = kInfinite;
     for (const OutlinePiece& piece : cell.front()) {
@@ -103,14 +108,16 @@ ContactTable contactTable(const PeriodicDiagram& periodic) {
         continue;
       }
       const Circle& d = diagram.circles[at(piece.neighbor)];
-      table.contacts.push_back({i, neighbor, length, lengthOf(between(c, d)) - c.r - d.r});
+      table.contacts.push_back({i, neighbor, length, lengthOf(between(c, d)) - r - radiusOf(diagram, d)});
       least = std::min(least, table.contacts.back().gap);
     }
     const double whole = area(cell);
     table.areas[at(i)] = whole;
-    const double covered = least >= 0 && c.r > 0 ? std::numbers::pi * c.r * c.r : area(outlineWithin(diagram, i, 0));
-    // A cell without an area, up to rounding, is covered or not.
-    table.packingFractions[at(i)] = whole > 0 ? std::min(covered / whole, 1.0) : c.r > 0;
+    if (!(r > 0)) continue;
+    double covered = std::numbers::pi * r * r;
+    if (least < 0) covered = diagram.metric == Metric::circles ? area(outlineWithin(diagram, i, 0)) : kNan;
+    // A cell without an area, up to rounding, is covered.
+    table.packingFractions[at(i)] = whole > 0 ? std::min(covered / whole, 1.0) : 1;
   }
   return table;
 }

@@ -108,8 +108,9 @@ Result<void> writeContactsCsv(std::ostream& stream, const PeriodicDiagram& perio
       const auto i = static_cast<std::size_t>(contact.circle);
       const auto& [neighbor, shift] = contact.neighbor;
       out << contact.circle << "," << neighbor << "," << shift[0] << "," << shift[1] << ","
-          << grid.round(contact.length) << "," << grid.round(contact.gap) << "," << grid.round(table.areas[i]) << ","
-          << grid.round(table.packingFractions[i]) << "\n";
+          << grid.round(contact.length) << "," << grid.round(contact.gap) << "," << grid.round(table.areas[i]) << ",";
+      if (!std::isnan(table.packingFractions[i])) out << grid.round(table.packingFractions[i]);
+      out << "\n";
     }
   });
 }

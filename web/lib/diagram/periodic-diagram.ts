@@ -60,11 +60,17 @@ export interface ContactTable {
   readonly contacts: Int32Array
   /** The length of the common border. */
   readonly lengths: Float64Array
-  /** The gap between the two circles; negative if they overlap. */
+  /**
+   * The gap between the two circles; negative if they overlap. Where a power diagram has weights, the radius is the root
+   * of the weight, with its sign.
+   */
   readonly gaps: Float64Array
   /** The area of the cell of each circle; 0 if it is hidden. */
   readonly areas: Float64Array
-  /** The share of its cell that each circle covers, from 0 to 1. */
+  /**
+   * The share of its cell that each circle covers, from 0 to 1. Of a circle that overlaps another it is NaN, unless the
+   * metric is `circles`.
+   */
   readonly packingFractions: Float64Array
 }
 
@@ -211,13 +217,14 @@ export class PeriodicDiagram implements PeriodicData {
   contacts(...others: readonly unknown[]): ContactTable {
     checkNoOptions(others, 'contacts')
     const { diagram, circleCount } = this
-    const { circles, cells } = diagram
+    const { cells } = diagram
     const contacts: number[] = []
     const lengths: number[] = []
     const gaps: number[] = []
     const areas = new Float64Array(circleCount)
     const packingFractions = new Float64Array(circleCount)
     for (let i = 0; i < circleCount; i++) {
+      const r = cells.signedRadiusOf(i)
       const met = new Map<string, number>()
       let least = Infinity
       for (const side of cells.sides(i)) {
@@ -234,17 +241,20 @@ export class PeriodicDiagram implements PeriodicData {
         met.set(key, lengths.length)
         contacts.push(i, circle, ...shift)
         lengths.push(length)
-        const gap = gapOf(circles, i, other)
+        const gap = this.#distance(i, other) - r - cells.signedRadiusOf(other)
         gaps.push(gap)
         least = Math.min(least, gap)
       }
       if (met.size === 0) continue
-      const r = at(circles, 3 * i + 2)
       const area = this.cellArea(i)
-      const isApart = least >= 0 && r > 0
-      const covered = isApart ? Math.PI * r * r : diagram.cellArea(i, { bounds: this.#bounds, maxDistance: 0 })
       areas[i] = area
-      packingFractions[i] = area > 0 ? Math.min(covered / area, 1) : Number(r > 0)
+      if (!(r > 0)) continue
+      let covered = Math.PI * r * r
+      if (least < 0) {
+        const isKnown = diagram.metric === 'circles'
+        covered = isKnown ? diagram.cellArea(i, { bounds: this.#bounds, maxDistance: 0 }) : Number.NaN
+      }
+      packingFractions[i] = area > 0 ? Math.min(covered / area, 1) : 1
     }
     return {
       contacts: Int32Array.from(contacts),
@@ -263,9 +273,15 @@ export class PeriodicDiagram implements PeriodicData {
     const { contacts, lengths, gaps, areas, packingFractions } = this.contacts()
     const lines = Array.from(lengths, (length, k) => {
       const [i, ...neighbor] = contacts.subarray(4 * k, 4 * k + 4) as unknown as [number, ...number[]]
-      return [i, ...neighbor, length, at(gaps, k), at(areas, i), at(packingFractions, i)].join(',')
+      const fraction = at(packingFractions, i)
+      return [i, ...neighbor, length, at(gaps, k), at(areas, i), Number.isNaN(fraction) ? '' : fraction].join(',')
     })
     return `${['circle,neighbor,shift_a,shift_b,length,gap,area,packing_fraction', ...lines].join('\n')}\n`
+  }
+
+  #distance(i: number, j: number): number {
+    const { circles } = this.diagram
+    return hypotenuse(at(circles, 3 * j) - at(circles, 3 * i), at(circles, 3 * j + 1) - at(circles, 3 * i + 1))
   }
 
   #imageFrom(i: number, other: number): CircleImage {
@@ -287,11 +303,6 @@ export class PeriodicDiagram implements PeriodicData {
 
 /** The default tolerance of curves, as a share of the largest coordinate of the periods. */
 const TOLERANCE = 1e-5
-
-function gapOf(circles: Float64Array, i: number, j: number): number {
-  const apart = hypotenuse(at(circles, 3 * j) - at(circles, 3 * i), at(circles, 3 * j + 1) - at(circles, 3 * i + 1))
-  return apart - at(circles, 3 * i + 2) - at(circles, 3 * j + 2)
-}
 
 /** Returns a box that cuts no given cell: a cell extends from its center by less than the sum of the periods. */
 function wholeCells(diagram: Diagram, { a, b }: Lattice): [number, number, number, number] {

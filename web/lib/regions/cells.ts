@@ -173,18 +173,18 @@ export class Cells {
     const { circles } = this.diagram
     const dx = at(circles, 3 * circle) - at(circles, 3 * other)
     const dy = at(circles, 3 * circle + 1) - at(circles, 3 * other + 1)
-    return 2 ** -49 * (hypotenuse(dx, dy) + Math.abs(this.#signedRadiusOf(circle) - this.#signedRadiusOf(other)))
+    return 2 ** -49 * (hypotenuse(dx, dy) + Math.abs(this.signedRadiusOf(circle) - this.signedRadiusOf(other)))
   }
 
   /** Returns the radius of a circle, or the root of the weight that it has in a power diagram, with the weight's sign. */
-  #signedRadiusOf(circle: number): number {
+  signedRadiusOf(circle: number): number {
     const { circles, metric, weights } = this.diagram
     const r = at(circles, 3 * circle + 2)
     return metric === 'power' && weights ? Math.sign(r) * Math.sqrt(Math.abs(r)) : r
   }
 
   #radiusOf(circle: number): number {
-    return Math.abs(this.#signedRadiusOf(circle))
+    return Math.abs(this.signedRadiusOf(circle))
   }
 
   /** Checks the next side of a walk around a cell that may visit `left` more sides. */
