@@ -14,7 +14,7 @@ const SQUARE = [
 /**
  * Returns a row for each hierarchy: seconds of `treemap` in WebAssembly and of d3-voronoi-treemap with its defaults, the
  * largest relative error of a leaf's area, and how far sites move, as a share of the root of a mean cell's area, when one
- * value changes by a hundredth: `treemap` with `previous`, and d3-voronoi-treemap from the sites of its first run. Needs
+ * value changes by a hundredth: `treemap` with `previous`, and d3-voronoi-treemap with the same random numbers. Needs
  * dist/lib.
  */
 export async function benchTreemaps() {
@@ -56,7 +56,8 @@ function treeOf(leaves, perNode) {
   let level = Array.from({ length: leaves }, (_, i) => ({ name: `${i}`, value: 10 ** (4 * random()) }))
   while (level.length > perNode) {
     const parents = []
-    for (let i = 0; i < level.length; i += perNode) parents.push({ name: `${i}`, children: level.slice(i, i + perNode) })
+    for (let i = 0; i < level.length; i += perNode)
+      parents.push({ name: `${i}`, children: level.slice(i, i + perNode) })
     level = parents
   }
   return { name: 'all', children: level }
@@ -77,21 +78,14 @@ function measured(data, run) {
   return { seconds, error: rounded(Math.max(...errors)), moved: rounded(Math.max(...moves)) }
 }
 
-/** Runs d3-voronoi-treemap with random numbers that are the same each time, and from the sites of an earlier run if there is one. */
-function mapped(root, previous) {
+/** Runs d3-voronoi-treemap with random numbers that are the same each time: it has no other way to keep its sites. */
+function mapped(root) {
   let state = 1
   const prng = () => {
     state = (state * 48_271) % 2_147_483_647
     return state / 2_147_483_647
   }
-  const siteOf = new Map()
-  for (const node of previous?.descendants() ?? []) siteOf.set(node.data, node.polygon.site)
-  const map = voronoiTreemap().clip(SQUARE.toReversed()).prng(prng)
-  if (previous !== undefined) {
-    map.initialPosition(({ data }) => [siteOf.get(data).x, siteOf.get(data).y])
-    map.initialWeight(({ data }) => siteOf.get(data).weight)
-  }
-  map(root)
+  voronoiTreemap().clip(SQUARE.toReversed()).prng(prng)(root)
 }
 
 function areaOf(polygon) {

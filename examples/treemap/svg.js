@@ -3,7 +3,7 @@
 
 const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#a99bd0', '#b9c4cf', '#e39a6f']
 /** The size of names, relative to the square root of a cell's area. A name of average length fits. */
-const SIZE_OF_NAMES = 1.3
+const SIZE_OF_NAMES = 1.05
 
 /** `root` is what `treemap` returns; `size` is the width and height of the picture. */
 export function svgOf(root, size) {

@@ -181,6 +181,7 @@ function asJson(diagram) {
   return {
     format: 'circle-voronoi',
     version: 1,
+    ...(diagram.metric === 'circles' ? {} : { metric: diagram.metric, weights: diagram.weights }),
     hidden: Array.from({ length: hidden.length / 2 }, (_, h) => ({ circle: hidden[2 * h], by: hidden[2 * h + 1] })),
     vertices: Array.from({ length: vertices.length / 3 }, (_, v) => ({
       ...vertexAt(diagram, v),

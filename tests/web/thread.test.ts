@@ -37,7 +37,14 @@ describe('what a thread answers', () => {
   }
 
   const SITES = Float64Array.of(2, 2, 0, 7, 3, 0)
-  const fitting = { areas: Float64Array.of(1, 3), metric: 'circles' as const, shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0 }
+  const fitting = {
+    areas: Float64Array.of(1, 3),
+    metric: 'circles' as const,
+    shares: true,
+    tolerance: 1e-9,
+    maxSteps: 99,
+    relax: 0,
+  }
   const region = {
     points: Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10),
     ringOffsets: Int32Array.of(0, 4),
