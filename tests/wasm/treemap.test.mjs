@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { describe, it } from 'node:test'
 import { hierarchy } from 'd3-hierarchy'
 import { loadRegions } from '../../dist/lib/regions.js'
+import { createWorker } from '../../dist/lib/worker.js'
 
 const { region, treemap } = await loadRegions()
 const square = region([
@@ -83,9 +84,33 @@ describe('treemap', () => {
     expectCells(root, ({ value }) => value)
   })
 
-  it('gives the same bits each time', () => {
-    const [first, second] = [treemap(randomTree(7), { region: square }), treemap(randomTree(7), { region: square })]
-    assert.deepEqual(first, second)
+  it('gives the same in a worker, to the bit, with its progress, and cancels there', async () => {
+    const worker = createWorker()
+    try {
+      const [here, there] = [[], []]
+      const first = treemap(randomTree(7), { region: square, progress: (...told) => here.push(told) })
+      const tree = randomTree(7)
+      const second = await worker.treemap(tree, { region: square, progress: (...told) => there.push(told) })
+      assert.equal(second, tree)
+      assert.deepEqual(second, first)
+      assert.deepEqual(there, here)
+      const controller = new AbortController()
+      const later = worker.treemap(randomTree(7), {
+        region: square,
+        signal: controller.signal,
+        progress: () => controller.abort(),
+      })
+      await assert.rejects(later, { name: 'AbortError' })
+      const wrong = {
+        children: [
+          { name: 'a', value: 1 },
+          { name: 'b', value: -1 },
+        ],
+      }
+      await assert.rejects(worker.treemap(wrong, { region: square }), { code: 'badInput', message: /node b/ })
+    } finally {
+      worker.dispose()
+    }
   })
 
   it('keeps the sites of an earlier treemap, wherever a node is in its list', () => {

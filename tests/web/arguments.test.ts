@@ -150,6 +150,17 @@ const lostDiagrams = ARRAYS.flatMap((name) =>
 const bytesOf = (text: string) => new TextEncoder().encode(text)
 const wrongBoxes = Object.keys(KNOWN.box).map((side) => ({ box: { ...KNOWN.box, [side]: '0' }, maxRadius: 1 }))
 
+const TREE = { children: [{ value: 1 }, { value: 2 }] }
+const NO_TREES = input(
+  5,
+  null,
+  'x',
+  { children: 5 },
+  { children: [5] },
+  { children: [{}] },
+  { children: [{ value: '1' }] },
+)
+
 /** The right value of each kind of arguments, and the wrong ones. */
 const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readonly Wrong[]]>> = {
   circle: [0, indexOf(3)],
@@ -218,10 +229,11 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
     [...input(5, {}, 'x', ...lost(CIRCLES)), [lists('1 1; 1'), 'badInput', 1], [lists("1 1; 1 '1'"), 'badInput', 1]],
   ],
   areas: [[27], input(5, '12', ['1'], [undefined], new Array(1), ...lost(Float64Array.of(27)))],
+  sentTree: [TREE, NO_TREES],
   tree: [
-    { children: [{ value: 1 }, { value: 2 }] },
+    TREE,
     [
-      ...input(5, null, 'x', { children: 5 }, { children: [5] }, { children: [{}] }, { children: [{ value: '1' }] }),
+      ...NO_TREES,
       ...input({ children: [{ value: 0 }] }, { children: [{ value: -1 }] }, { children: [{ value: Number.NaN }] }),
     ],
   ],
@@ -233,6 +245,7 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
 /** The wrong values of each option, or of each kind of options. */
 const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
   any: [],
+  none: [],
   bounds: option(5, null, 'x', {}, ...boxes, ...sides),
   region: option(5, [], {}, 'x', null),
   maxDistance: option('1', Number.NaN, Infinity, 2 ** 101, null),
@@ -308,6 +321,7 @@ const COMPUTING = 'weights:truth samples resample:truth progress:function'
 const EDITING = 'weights:truth ids nextId'
 const FITTING =
   'region lattice metric:choice shares:truth tolerance:number maxSteps:count relax:count weights:startWeights onStep:function signal'
+const DIVIDING = 'region metric:choice relax:count tolerance:number previous:none key:function progress:function signal'
 const READING = 'name:text weights:truth points:truth x:text y:text radius:text id:text skipInvalid:truth'
 const COMPUTING_SPHERE = 'weights:truth radius:sphereRadius longitude:function latitude:function r:function'
 const IN_THREAD = `${COMPUTING} ${FINDING} method:name candidates:name signal`
@@ -369,9 +383,8 @@ const ROWS: readonly Row[] = [
   row(worker, 'edit', 'sent', EDITING),
   row(worker, 'fitAreas', 'sites areas', FITTING, { region }),
   row(regions, 'fitAreas', 'sites areas', FITTING, { region }),
-  row(regions, 'treemap', 'tree', 'metric:choice relax:count tolerance:number key:function progress:function signal', {
-    region,
-  }),
+  row(regions, 'treemap', 'tree', DIVIDING, { region }),
+  row(worker, 'treemap', 'sentTree', DIVIDING, { region }),
   row(regions, 'region', 'shape', 'dissolve:truth'),
   row(region, 'contains', 'number number'),
   row(spheres, 'computeSphere', 'places', COMPUTING_SPHERE),

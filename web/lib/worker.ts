@@ -43,10 +43,23 @@ import {
   spheresOf,
 } from './wasm/sphere.ts'
 import type { SphereDiagram } from './wasm/sphere-diagram.ts'
+import { type TreemapOptions, type TreeNode, type TreeWithCells, treeOf } from './wasm/treemap.ts'
 import { type CompiledWasm, compileWasm } from './wasm/wasm.ts'
 
 export type { AsyncDiagramEditor, AsyncEditorMethods } from './threads/worker-editor.ts'
-export type { AreaFit, Disposal, FitOptions, LoadOptions, Options, PeriodicAreaFit, PeriodicFitOptions, SiteLike }
+export type {
+  AreaFit,
+  Disposal,
+  FitOptions,
+  LoadOptions,
+  Options,
+  PeriodicAreaFit,
+  PeriodicFitOptions,
+  SiteLike,
+  TreemapOptions,
+  TreeNode,
+  TreeWithCells,
+}
 
 /**
  * Options of `compute` in a worker.
@@ -153,6 +166,23 @@ export interface WorkerMethods {
     areas: Float64Array | readonly number[],
     options: PeriodicFitOptions,
   ): Promise<PeriodicAreaFit>
+  /**
+   * Divides a region among the nodes of a tree in the worker, with the arguments and the result of `treemap` of `Regions`.
+   * The region is one that `loadRegions` made in this thread. An error thrown by `progress` cancels the computation and
+   * rejects the promise.
+   *
+   * @throws CircleVoronoiError as `treemap`; the reason of `signal`; a `DOMException` named AbortError if the worker is
+   * disposed of. Each as a rejection.
+   *
+   * @example
+   * const { region } = await loadRegions()
+   * const square = region([[[0, 0], [2, 0], [2, 2], [0, 2]]])
+   * const worker = createWorker()
+   * const root = await worker.treemap({ children: [{ value: 3 }, { value: 1 }] }, { region: square })
+   * root.children[0].area // 3
+   * worker.dispose()
+   */
+  treemap<Node extends TreeNode>(root: Node, options: TreemapOptions): Promise<TreeWithCells<Node>>
   /** Ends the worker and its editors and cancels their work. */
   dispose(): void
 }
@@ -299,6 +329,20 @@ class Client implements CircleVoronoiWorker {
     return { ...rest, diagram: new Diagram(diagram) }
   }
 
+  async treemap<Node extends TreeNode>(root: Node, options: TreemapOptions): Promise<TreeWithCells<Node>> {
+    const { input, finish, named } = treeOf(root, options)
+    const { region, progress, signal } = options
+    const wasm = wasmOf(region)
+    if (wasm === undefined) refuseOption('The region of treemap was made by another copy of the library.')
+    const request = { tree: input, region: arraysOf(region), wasm, tellsProgress: progress !== undefined }
+    const tell = (reply: Reply) => 'divided' in reply && progress?.(...reply.divided)
+    const memory = [input.parents.buffer, input.values.buffer, input.previous.buffer]
+    const reply = await this.#ask(request, memory, { tell, signal }).catch((error: unknown) => {
+      throw named(error)
+    })
+    return finish((reply as Extract<Reply, { cells: unknown }>).cells)
+  }
+
   async edit(circles: Circles | DiagramData, options: EditorOptions = {}): Promise<AsyncDiagramEditor> {
     const start = editorStart(circles, options)
     if (this.#isDisposed) throw disposed()
@@ -370,7 +414,7 @@ class Client implements CircleVoronoiWorker {
   #receive(reply: Reply): void {
     const job = this.#running
     if (job === undefined || 'results' in reply) return
-    if ('progress' in reply || 'step' in reply) {
+    if ('progress' in reply || 'step' in reply || 'divided' in reply) {
       try {
         job.observer.tell(reply)
       } catch (error) {

@@ -9,7 +9,7 @@ import type { DiagramEditor } from '../wasm/editor.ts'
 import type { FitStep } from '../wasm/fit.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../wasm/library.ts'
 import type { Progress } from '../wasm/options.ts'
-import { regionsOf } from '../wasm/regions.ts'
+import { type RegionsOfModule, regionsOf } from '../wasm/regions.ts'
 import { spheresOf } from '../wasm/sphere.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 import type {
@@ -21,6 +21,7 @@ import type {
   Reply,
   Request,
   Start,
+  TreemapRequest,
 } from './worker-messages.ts'
 
 /** The common interface of Node's parent port and the global scope of a browser's worker. */
@@ -35,7 +36,7 @@ export function answerRequests(): void {
   const port = (nodePort ?? globalThis) as unknown as Port
   let library: Promise<CircleVoronoi> | undefined
   const answerCalls = editing()
-  const fitted = fitting()
+  const regionsIn = loadedOnce((wasm: CompiledWasm) => regionsOf(createRegionsModule, wasm))
   const onSphere = loadedOnce((wasm: CompiledWasm) => spheresOf(createSphereModule, wasm))
 
   port.onmessage = async ({ data }) => {
@@ -55,7 +56,8 @@ export function answerRequests(): void {
     }
     const tell = (told: Reply) => port.postMessage(told)
     const answer = async (): Promise<Reply> => {
-      if ('fit' in data) return fitted(data, tell)
+      if ('fit' in data) return fitted(data, await regionsIn(data.wasm), tell)
+      if ('tree' in data) return divided(data, await regionsIn(data.wasm), tell)
       if ('sphere' in data) return { sphere: (await onSphere(data.wasm)).computed(data.sphere) }
       return computed(data, library as Promise<CircleVoronoi>, tell)
     }
@@ -79,18 +81,26 @@ async function computed(
     : { periodic: computePeriodic(circles, lattice, all) }
 }
 
-/** Returns a function that answers fits. The first fit loads the module. */
-function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
-  const regionsIn = loadedOnce((wasm: CompiledWasm) => regionsOf(createRegionsModule, wasm))
-  return async ({ fit, region: rings, wasm, tellsProgress }, tell) => {
-    const { regionOf, fitAreas } = await regionsIn(wasm)
-    const { sites, areas, lattice, ...options } = fit
-    const onStep = tellsProgress ? (step: FitStep) => tell({ step }) : undefined
-    if (rings !== undefined) return { fit: fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep }) }
-    const [ax, ay, bx, by] = lattice as unknown as [number, number, number, number]
-    const periods = { a: [ax, ay], b: [bx, by] } as const
-    return { periodicFit: fitAreas(sites, areas, { ...options, lattice: periods, onStep }) }
-  }
+function fitted(
+  { fit, region: rings, tellsProgress }: FitRequest,
+  { regionOf, fitAreas }: RegionsOfModule,
+  tell: Tell,
+): Reply {
+  const { sites, areas, lattice, ...options } = fit
+  const onStep = tellsProgress ? (step: FitStep) => tell({ step }) : undefined
+  if (rings !== undefined) return { fit: fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep }) }
+  const [ax, ay, bx, by] = lattice as unknown as [number, number, number, number]
+  const periods = { a: [ax, ay], b: [bx, by] } as const
+  return { periodicFit: fitAreas(sites, areas, { ...options, lattice: periods, onStep }) }
+}
+
+function divided(
+  { tree, region, tellsProgress }: TreemapRequest,
+  { regionOf, cellsOfTree }: RegionsOfModule,
+  tell: Tell,
+): Reply {
+  const progress = tellsProgress ? (...all: [number, number]) => tell({ divided: all }) : undefined
+  return { cells: cellsOfTree(regionOf(region), tree, progress) }
 }
 
 /** Returns a function that answers the calls of an editor. The first call creates the editor. */
@@ -122,6 +132,7 @@ function posted(error: unknown): PostedError {
 function buffersIn(reply: Reply): ArrayBuffer[] {
   if ('diagram' in reply) return buffersOf(reply.diagram)
   if ('sphere' in reply) return buffersOf(reply.sphere)
+  if ('cells' in reply) return buffersOf(reply.cells)
   if ('periodic' in reply) return [...buffersOf(reply.periodic), ...buffersOf(reply.periodic.diagram)]
   if ('periodicFit' in reply) {
     const { periodic, ...fit } = reply.periodicFit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The messages between a worker's client and its thread. The client sends `Start` once, then one `Request` at a time.
-// The thread answers with any number of `progress` or `step` replies and one final reply. A thread that edits gets one
+// The thread answers with any number of `progress`, `step` or `divided` replies and one final reply. A thread that edits gets one
 // `EditorCalls` at a time and answers with `results`.
 
 import type { PostedError } from '../base/errors.ts'
@@ -12,6 +12,7 @@ import type { AreaFit, FitInput, FitStep, PeriodicAreaFit } from '../wasm/fit.ts
 import type { Options, Stage } from '../wasm/options.ts'
 import type { SphereInput } from '../wasm/sphere.ts'
 import type { SphereData } from '../wasm/sphere-diagram.ts'
+import type { TreemapArrays, TreemapInput } from '../wasm/treemap.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 
 export interface Start {
@@ -19,7 +20,7 @@ export interface Start {
 }
 
 /** The computation to run, and whether to report its progress or its steps. */
-export type Request = ComputeRequest | FitRequest | SphereRequest
+export type Request = ComputeRequest | FitRequest | TreemapRequest | SphereRequest
 
 export interface ComputeRequest {
   readonly circles: Float64s
@@ -33,6 +34,14 @@ export interface FitRequest {
   readonly fit: FitInput
   /** The region, if the fit has one instead of a lattice. */
   readonly region: RingArrays | undefined
+  /** The module that made the region. */
+  readonly wasm: CompiledWasm
+  readonly tellsProgress: boolean
+}
+
+export interface TreemapRequest {
+  readonly tree: TreemapInput
+  readonly region: RingArrays
   /** The module that made the region. */
   readonly wasm: CompiledWasm
   readonly tellsProgress: boolean
@@ -59,10 +68,12 @@ export type CallResult = { readonly value: unknown } | { readonly error: PostedE
 export type Reply =
   | { readonly progress: readonly [stage: Stage, done: number] }
   | { readonly step: FitStep }
+  | { readonly divided: readonly [done: number, count: number] }
   | { readonly diagram: DiagramData }
   | { readonly periodic: PeriodicData }
   | { readonly fit: Omit<AreaFit, 'diagram'> & { readonly diagram: DiagramData } }
   | { readonly periodicFit: Omit<PeriodicAreaFit, 'periodic'> & { readonly periodic: PeriodicData } }
+  | { readonly cells: TreemapArrays }
   | { readonly sphere: SphereData }
   | { readonly results: readonly CallResult[] }
   | { readonly error: PostedError }
