@@ -132,7 +132,8 @@ TEST(AreaFitSprings, AreSolvedInEachComponentByItself) {
   SpringSystem system(6, springs);
   EXPECT_EQ(system.components(), 3U);
   EXPECT_EQ(system.componentOf(), (std::vector<std::size_t>{0, 1, 0, 1, 0, 2}));
-  const std::vector<double> x = system.solve(std::vector<double>{1, 3, 2}, std::vector<double>{1, 4, 2, -4, -3, 0});
+  const std::vector<double> x = system.solve(std::vector<double>{1, 3, 2}, std::vector<double>{1, 4, 2, -4, -3, 0},
+                                              std::vector<double>(6, 1));
   // The forces belong to x = (4/3, 1, 1/3, -1, -2/3... ), up to a constant in each component.
   ASSERT_EQ(x.size(), 6U);
   EXPECT_NEAR(x[0] - x[2], 1, 1e-14);

@@ -16,7 +16,9 @@
 #include "at.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/certify.h"
+#include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/region.h"
 #include "oracle.h"
 #include "random.h"
 #include "report.h"
@@ -181,6 +183,24 @@ TEST(PowerDiagram, WithWeightsIsThatOfRadiiWhoseSquaresTheyAre) {
       }
     }
   });
+}
+
+// Weights are areas: they have more digits behind the point than lengths.
+TEST(PowerDiagram, OfWeightsIsCutToRegionsAtAnyScale) {
+  const std::vector<Circle> circles = {
+      {0.125, 0.25, 0.0625}, {0.75, 0.3125, 0.015625}, {0.375, 0.875, 0.03125}, {0.8125, 0.8125, -0.015625}};
+  std::vector<double> expected;
+  for (int exponent = 0; exponent >= -50; exponent -= 10) {
+    const double size = std::ldexp(1.0, exponent);
+    std::vector<Circle> scaled;
+    for (const Circle& c : circles) scaled.push_back({c.x * size, c.y * size, c.r * size * size});
+    const Diagram diagram = compute(scaled, powerOptions(true)).value();
+    const Region square = Region::from(Box{0, 0, size, size}).value();
+    std::vector<double> areas = ClippedDiagram::from(diagram, square).value().areas();
+    for (double& area : areas) area /= size * size;
+    if (expected.empty()) expected = areas;
+    EXPECT_EQ(areas, expected) << exponent;
+  }
 }
 
 TEST(PowerDiagram, IsRefusedWithTheCircle) {

@@ -17,6 +17,7 @@
 #include "divide_region.h"
 #include "random.h"
 #include "region_shapes.h"
+#include "report.h"
 
 namespace circle_voronoi::treemap_test {
 namespace {
@@ -204,6 +205,22 @@ TEST(Treemap, KeepsTheSitesOfAnEarlierOne) {
     moved += a.x != b.x || a.y != b.y ? 1 : 0;
   }
   EXPECT_LE(moved, 5);
+}
+
+// Rounding of the largest area is more than the smallest one.
+TEST(Treemap, ReachesValuesOverEightDecadesAtAnyScale) {
+  Random random(test::seedOr(12));
+  for (int exponent = -50; exponent <= 60; exponent += 10) {
+    const double size = std::ldexp(1.0, exponent);
+    const Region square = Region::from(Box{3 * size, 3 * size, 4 * size, 4 * size}).value();
+    for (const std::size_t branches : {3U, 9U, 60U}) {
+      SCOPED_TRACE("2^" + std::to_string(exponent) + ", " + std::to_string(branches) + " branches");
+      const Nodes nodes = randomTree(60, branches, 8, random);
+      const auto map = treemap(nodes, square);
+      ASSERT_TRUE(map) << map.error().message;
+      EXPECT_LE(map->error, 1e-9);
+    }
+  }
 }
 
 TEST(Treemap, OfEqualValuesInASquareIsAGrid) {

@@ -18,16 +18,16 @@ constexpr double kWeightLimit = kCoordinateLimit * kCoordinateLimit;
 }  // namespace
 
 std::optional<CircleError> errorOf(const Circle& c, bool weights, Metric metric) {
-  const bool isArea = weights && metric == Metric::power;
-  const std::string size = isArea ? "weight" : "radius";
+  const bool hasArea = isArea(weights, metric);
+  const std::string size = hasArea ? "weight" : "radius";
   if (!std::isfinite(c.x)) return CircleError{ErrorCode::nonFinite, "has an x that is not a finite number."};
   if (!std::isfinite(c.y)) return CircleError{ErrorCode::nonFinite, "has a y that is not a finite number."};
   if (!std::isfinite(c.r)) return CircleError{ErrorCode::nonFinite, "has a " + size + " that is not a finite number."};
   if (c.r < 0 && !weights) return CircleError{ErrorCode::negativeRadius, "has a negative radius."};
-  if (isArea && std::abs(c.r) > kWeightLimit) {
+  if (hasArea && std::abs(c.r) > kWeightLimit) {
     return CircleError{ErrorCode::coordinateTooLarge, "has a weight beyond 6.3e57 (2^192)."};
   }
-  if (largestNumber({c.x, c.y, isArea ? 0 : c.r}) <= kCoordinateLimit) return std::nullopt;
+  if (largestNumber({c.x, c.y, hasArea ? 0 : c.r}) <= kCoordinateLimit) return std::nullopt;
   return CircleError{ErrorCode::coordinateTooLarge,
                      std::string("has a coordinate or a radius beyond ") + kCoordinateLimitText + "."};
 }
@@ -66,26 +66,19 @@ Result<void> validatePart(std::span<const Circle> circles, bool weights, std::si
 
 Result<std::vector<Circle>> validate(std::span<const Circle> circles, bool weights, Metric metric) {
   if (const auto valid = validatePart(circles, weights, 0, metric); !valid) return valid.error();
-  const bool areAreas = weights && metric == Metric::power;
   double largest = 0;
   for (const Circle& c : circles) {
-    const double size = areAreas ? std::sqrt(std::abs(c.r)) : c.r;
+    const double size = isArea(weights, metric) ? std::sqrt(std::abs(c.r)) : c.r;
     largest = std::max(largest, largestNumber({c.x, c.y, size}));
   }
   if (auto error = tooSmallError(largest, "The circles")) return *std::move(error);
-  if (!areAreas) return normalized(circles);
-  std::vector<Circle> result = normalized(pointsOf(circles));
-  // Multiples of the square of kCoordinateStep.
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    result[i].r = rounded(circles[i].r / kCoordinateStep) * kCoordinateStep + 0.0;
-  }
-  return result;
+  return normalized(circles, weights, metric);
 }
 
-std::vector<Circle> normalized(std::span<const Circle> circles) {
+std::vector<Circle> normalized(std::span<const Circle> circles, bool weights, Metric metric) {
   std::vector<Circle> result;
   result.reserve(circles.size());
-  for (const Circle& c : circles) result.push_back(normalized(c));
+  for (const Circle& c : circles) result.push_back(normalized(c, weights, metric));
   return result;
 }
 

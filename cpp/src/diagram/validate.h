@@ -29,9 +29,12 @@ CIRCLE_VORONOI_API std::optional<CircleError> errorOf(const Circle& circle, bool
 /// `what` begins the sentence, as "The circles".
 std::optional<Error> tooSmallError(double largest, const std::string& what);
 
+/// Returns whether the third number of a circle is an area: the weight of a power diagram.
+inline bool isArea(bool weights, Metric metric) { return weights && metric == Metric::power; }
+
 /// Returns a circle rounded (limits.h), without negative zeros: one number, one set of bits.
-inline Circle normalized(const Circle& given) {
-  const Circle c = rounded(given);
+inline Circle normalized(const Circle& given, bool weights = false, Metric metric = Metric::circles) {
+  const Circle c = isArea(weights, metric) ? roundedWithArea(given) : rounded(given);
   return {c.x + 0.0, c.y + 0.0, c.r + 0.0};
 }
 
@@ -46,7 +49,8 @@ CIRCLE_VORONOI_API Result<std::vector<Circle>> validate(std::span<const Circle> 
 CIRCLE_VORONOI_API Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first,
                                              Metric metric = Metric::circles);
 /// Returns what `validatePart` has accepted, normalized.
-std::vector<Circle> normalized(std::span<const Circle> circles);
+std::vector<Circle> normalized(std::span<const Circle> circles, bool weights = false,
+                               Metric metric = Metric::circles);
 
 /// Returns the centers as circles of radius 0.
 std::vector<Circle> pointsOf(std::span<const Circle> circles);

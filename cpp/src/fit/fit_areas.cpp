@@ -483,7 +483,7 @@ class Fitter {
                                   std::span<const double> forces, std::span<double> stiffness) const {
     std::vector<double> x;
     for (int round = 0; round <= kMostHardenings; ++round) {
-      x = system.solve(stiffness, forces);
+      x = system.solve(stiffness, forces, targets_);
       if (x.empty() || arePowers() || !harden(springs, state.weights, x, stiffness)) break;
     }
     return x;

@@ -50,7 +50,8 @@ SpringSystem::~SpringSystem() = default;
 SpringSystem::SpringSystem(SpringSystem&&) noexcept = default;
 SpringSystem& SpringSystem::operator=(SpringSystem&&) noexcept = default;
 
-std::vector<double> SpringSystem::solve(std::span<const double> stiffness, std::span<const double> forces) {
+std::vector<double> SpringSystem::solve(std::span<const double> stiffness, std::span<const double> forces,
+                                        std::span<const double> sizes) {
   Matrix& matrix = factors_->matrix;
   const bool isFirst = matrix.nonZeros() == 0;
   std::vector<Eigen::Triplet<double>> entries;
@@ -66,13 +67,15 @@ std::vector<double> SpringSystem::solve(std::span<const double> stiffness, std::
 
   std::vector<double> sum(components_, 0);
   std::vector<double> size(components_, 0);
+  std::vector<double> count(components_, 0);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     sum[componentOf_[i]] += forces[i];
-    size[componentOf_[i]] += 1;
+    size[componentOf_[i]] += sizes[i];
+    count[componentOf_[i]] += 1;
   }
   Eigen::VectorXd right(matrix.rows());
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    if (row_[i] >= 0) right[row_[i]] = forces[i] - sum[componentOf_[i]] / size[componentOf_[i]];
+    if (row_[i] >= 0) right[row_[i]] = forces[i] - sizes[i] * (sum[componentOf_[i]] / size[componentOf_[i]]);
   }
   auto& cholesky = factors_->cholesky;
   if (isFirst) cholesky.analyzePattern(matrix);
@@ -85,7 +88,7 @@ std::vector<double> SpringSystem::solve(std::span<const double> stiffness, std::
   std::vector<double> mean(components_, 0);
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (row_[i] >= 0) x[i] = solution[row_[i]];
-    mean[componentOf_[i]] += x[i] / size[componentOf_[i]];
+    mean[componentOf_[i]] += x[i] / count[componentOf_[i]];
   }
   for (std::size_t i = 0; i < x.size(); ++i) x[i] -= mean[componentOf_[i]];
   return x;

@@ -50,9 +50,9 @@ class Tree {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       // Nodes without a value have no cell.
       std::erase_if(children_[i], [&](std::size_t child) { return values_[child] == 0; });
-      for (const std::size_t child : children_[i]) levels[child] = levels[i] + 1;
+      for (const std::size_t child : children_[i]) levels[child] = levels[i] + (children_[i].size() > 1 ? 1 : 0);
     }
-    levels_ = *std::ranges::max_element(levels);
+    levels_ = std::max(*std::ranges::max_element(levels), 1);
   }
 
   double value(std::size_t node) const { return values_[node]; }
@@ -60,7 +60,7 @@ class Tree {
   const std::vector<std::size_t>& children(std::size_t node) const { return children_[node]; }
   bool isDivided(std::size_t node) const { return values_[node] > 0 && !children_[node].empty(); }
   std::size_t size() const { return values_.size(); }
-  /// The number of levels below the root.
+  /// The number of times that a leaf's cell is a part of another, at most.
   int levels() const { return levels_; }
 
  private:

@@ -289,7 +289,7 @@ Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep 
     if (const auto judged = validate(reader.diagram.circles, reader.diagram.weights, reader.diagram.metric); !judged) {
       return errorAtCircle(judged.error(), reader.circleOffsets, name, rest);
     }
-    for (Circle& c : reader.diagram.circles) c = rounded(c);
+    for (Circle& c : reader.diagram.circles) c = normalized(c, reader.diagram.weights, reader.diagram.metric);
     linkSides(reader.diagram);
     return DiagramFile{std::move(reader.diagram), std::move(reader.attributes)};
   });

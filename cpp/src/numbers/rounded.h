@@ -17,6 +17,10 @@ inline double rounded(double x) {
   return std::copysign(((std::abs(x) / kCoordinateStep + kWhole) - kWhole) * kCoordinateStep, x);
 }
 inline Circle rounded(const Circle& c) { return {rounded(c.x), rounded(c.y), rounded(c.r)}; }
+/// Returns a circle whose third number is an area, rounded to a multiple of the square of the step.
+inline Circle roundedWithArea(const Circle& c) {
+  return {rounded(c.x), rounded(c.y), rounded(c.r / kCoordinateStep) * kCoordinateStep};
+}
 inline Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
 /// Returns the largest number of a circle, in absolute value.
