@@ -438,7 +438,7 @@ class Fitter {
           return true;
         }
         tooFar = share;
-      } else if (next && ++losses % kPatienceWithLosses == 0) {
+      } else if (next && !arePowers() && ++losses % kPatienceWithLosses == 0) {
         for (std::size_t k = 0; k < springs.size(); ++k) {
           if (isLost(springs[k].left) || isLost(springs[k].right)) stiffness[k] *= kHolding;
         }
