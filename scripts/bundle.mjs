@@ -22,14 +22,14 @@ const BUNDLED = {
 /** Wraps the WebAssembly modules of web/lib as JavaScript, and makes bundle.js, which contains everything. */
 async function lib() {
   mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
-  for (const name of ['', '-comparison', '-files', '-regions', '-sphere'].flatMap((name) => [
+  for (const name of ['', '-files', '-metrics', '-regions', '-sphere'].flatMap((name) => [
     `${name}.js`,
     `${name}.wasm`,
   ])) {
     const file = `lib/generated/circle-voronoi${name}`
     copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
   }
-  const entries = ['comparison', 'index', 'link', 'regions', 'sphere', 'worker']
+  const entries = ['index', 'link', 'metrics', 'regions', 'sphere', 'worker']
   const exported = await Promise.all(entries.map((name) => import(`${ROOT}dist/lib/${name}.js`)))
   const text = await oneFile('lib', [replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts')])
   writeFileSync(`${ROOT}dist/lib/bundle.js`, moduleOf(text, exported.flatMap(Object.keys)))

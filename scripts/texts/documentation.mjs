@@ -16,6 +16,7 @@ export const TEXTS = {
   'docs/regions.md': 'regions.html',
   'docs/areas.md': 'areas.html',
   'docs/periodic.md': 'periodic.html',
+  'docs/metrics.md': 'metrics.html',
   'docs/element.md': 'element.html',
   'docs/embedding.md': 'embedding.html',
   'docs/put-it-into.md': 'put-it-into.html',

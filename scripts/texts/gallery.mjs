@@ -59,7 +59,7 @@ export async function buildGallery(site) {
   // The library's single file fetches further modules.
   mkdirSync(`${site}/lib/generated`, { recursive: true })
   copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/lib/bundle.js`)
-  const modules = ['comparison', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
+  const modules = ['metrics', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
   // Scripts of examples contain those of these modules.
   for (const name of [...modules, 'files.wasm', 'sphere.wasm']) {
     const file = `lib/generated/circle-voronoi-${name}`

@@ -473,18 +473,7 @@ test('every link in the texts leads somewhere', () => {
   const texts = new Map(PAGES.map((page) => [page, readFileSync(SITE + page, 'utf8')]))
   const modules = PAGES.flatMap((page) => /^api\/modules-circle-voronoi(.*)\.html$/.exec(page)?.[1] ?? [])
   expect(modules).toEqual([
-    ...[
-      '',
-      '_comparison',
-      '_element_define',
-      '_files',
-      '_link',
-      '_picture',
-      '_react',
-      '_regions',
-      '_sphere',
-      '_worker',
-    ],
+    ...['', '_element_define', '_files', '_link', '_metrics', '_picture', '_react', '_regions', '_sphere', '_worker'],
   ])
   const dead: string[] = []
   for (const [page, text] of texts) {

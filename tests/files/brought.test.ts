@@ -5,8 +5,8 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { guessedColumns, type Table, unknownTable } from '../../web/app/files/columns.ts'
 import { columnsOf } from '../../web/editing/attributes.ts'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { loadFiles, type ReadCirclesOptions } from '../../web/lib/files.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { circlesOfText } from '../../web/view/circle-text.ts'
 import { readRegion } from '../../web/view/region-text.ts'
@@ -144,8 +144,8 @@ describe('files that people bring', () => {
 
   it('bubbles.csv: power cells cut by their circles are refused with a reason', async () => {
     expectCircles('bubbles.csv', [8, 10, 6, 20, 8, 4, 18, 20, 12])
-    const { computeComparison } = await loadComparison({ library })
-    const diagram = computeComparison(circlesOfText(textOf('bubbles.csv')), 'power')
+    const { compute } = await loadMetrics({ library })
+    const diagram = compute(circlesOfText(textOf('bubbles.csv')), { metric: 'power' })
     const message = 'maximum distance of a power diagram, which has no distances.'
     expect(() => files.writeDiagram(diagram, { format: 'geojson', maxDistance: 5 })).toThrow(message)
     expect(() => diagram.cellPath(0, { maxDistance: 5 })).toThrow(message)

@@ -5,7 +5,8 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { CIRCLE_FORMATS, DIAGRAM_FORMATS, type DiagramFileOptions, loadFiles } from '../../web/lib/files.ts'
-import type { Flaw, Options, Way } from '../../web/lib/index.ts'
+import { type Flaw, METRICS, type Options, type Way } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { library } from '../web/library.ts'
 
 const HELP = execFileSync(
@@ -99,6 +100,13 @@ it('the options of compute are those of the command line and of the core, with t
     weights: true,
     stats: { candidates: 'dynamic' },
   })
+})
+
+it('the metrics are those of the command line', async () => {
+  expect(choicesOf('--metric')).toEqual([...METRICS].sort())
+  const { compute } = await loadMetrics({ library })
+  const refused = messageOf(() => compute(CIRCLES, { metric: 'none' as 'power' }))
+  expect(listedAfter('Unknown metric: the choice is ', refused)).toEqual(METRICS)
 })
 
 it('flaws and ways in results are those of the C++ headers', () => {

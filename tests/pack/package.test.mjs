@@ -33,8 +33,7 @@ it('holds the built library and nothing else', () => {
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
   // The names of shared chunks are derived from their contents.
-  const shared =
-    /^dist\/(element|picture)\/(chunk|circle-voronoi-(comparison|regions)|german|link|player)-[A-Z0-9]+\.js$/
+  const shared = /^dist\/(element|picture)\/(chunk|circle-voronoi-(metrics|regions)|german|link|player)-[A-Z0-9]+\.js$/
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)
   const element = [
     ...['index', 'define', 'painter', 'bundle', 'classic', 'inline', 'react'].map((name) => `${name}.js`),
@@ -82,7 +81,7 @@ describe('is well made', () => {
   })
 
   it('to are-the-types-wrong', () => {
-    const wasm = ['', '-comparison', '-files', '-regions', '-sphere'].map((name) => `circle-voronoi${name}.wasm`)
+    const wasm = ['', '-files', '-metrics', '-regions', '-sphere'].map((name) => `circle-voronoi${name}.wasm`)
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), tarball(), ...options)
@@ -91,7 +90,7 @@ describe('is well made', () => {
       '/worker',
       '/worker-thread',
       '/regions',
-      '/comparison',
+      '/metrics',
       '/sphere',
       '/files',
       '/link',
@@ -144,12 +143,12 @@ describe('in Node', () => {
       'forgetful.mjs',
       `import { readFileSync } from 'node:fs'
       import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
-      import { loadComparison } from 'circle-voronoi/comparison'
+      import { loadMetrics } from 'circle-voronoi/metrics'
       import { createWorker } from 'circle-voronoi/worker'
       const module = WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]))
       const wasm = readFileSync(${JSON.stringify(project.path('node_modules/circle-voronoi/dist/lib/generated/circle-voronoi.wasm'))})
       const failed = [
-        loadCircleVoronoi(), loadCircleVoronoi({ wasm }).then((library) => loadComparison({ library })), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
+        loadCircleVoronoi(), loadCircleVoronoi({ wasm }).then((library) => loadMetrics({ library })), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
         loadCircleVoronoi({ wasm: module }), loadCircleVoronoi({ wasm: Promise.reject('none') }),
       ].map((promise) => promise.catch((error) => error instanceof CircleVoronoiError ? error.code + ': ' + error.message : 'raw: ' + error))
       Promise.all(failed).then((lines) => console.log(lines.join('\\n')))`,

@@ -19,6 +19,7 @@ const MARKDOWN = [
     'embedding',
     'put-it-into',
     'javascript',
+    'metrics',
     'periodic',
     'python',
     'regions',
@@ -54,7 +55,7 @@ const RUN_BY = [
   { by: LISTED, file: 'docs/shell.md', language: '', what: 'file' },
   { by: PAGE, file: 'docs/javascript.md', language: 'html' },
   ...['js', 'sh'].map((language) => ({ by: PACKAGE, file: 'docs/javascript.md', language })),
-  ...['docs/regions.md', 'docs/areas.md', 'docs/periodic.md'].flatMap((file) => [
+  ...['docs/regions.md', 'docs/areas.md', 'docs/periodic.md', 'docs/metrics.md'].flatMap((file) => [
     { by: PACKAGE, file, language: 'js' },
     { by: NATIVE, file, language: 'sh' },
   ]),

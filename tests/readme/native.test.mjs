@@ -21,6 +21,7 @@ const WITH_COMMANDS = [
   'docs/regions.md',
   'docs/areas.md',
   'docs/periodic.md',
+  'docs/metrics.md',
   'cpp/cli/circle-voronoi.1',
 ]
 

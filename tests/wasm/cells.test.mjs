@@ -3,13 +3,13 @@
 // WebAssembly. CIRCLE_VORONOI_CELLS=300000 tries more of them, CIRCLE_VORONOI_SEED others.
 import assert from 'node:assert/strict'
 import { describe, it } from 'node:test'
-import { loadComparison } from '../../dist/lib/comparison.js'
 import {
   ConvexPolygon,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscInside,
   loadCircleVoronoi,
 } from '../../dist/lib/index.js'
+import { loadMetrics } from '../../dist/lib/metrics.js'
 import { keptParts } from '../../dist/lib/regions/outline.js'
 import { loadRegions } from '../../dist/lib/regions.js'
 import { cellByBruteForce } from './cell-oracle.mjs'
@@ -23,7 +23,7 @@ const SHORTEST = [1e-9, 1e-7, 1e-11]
 const ACCURACY = 1e-12
 
 const library = await loadCircleVoronoi()
-const { computeComparison } = await loadComparison({ library })
+const { compute } = await loadMetrics({ library })
 const { region } = await loadRegions()
 
 /** The finite vertices of circles, not very far away. */
@@ -39,7 +39,7 @@ function prepared(made) {
   const bounds = isBox ? [...corners[0], ...corners[2]] : ConvexPolygon.from(corners.map(([x, y]) => ({ x, y })))
   const maxDistance = metric === 'power' ? undefined : made.maxDistance
   const polygon = ConvexPolygon.of(bounds)
-  return { ...made, polygon, options: { bounds, maxDistance }, diagram: computeComparison(circles, metric) }
+  return { ...made, polygon, options: { bounds, maxDistance }, diagram: compute(circles, { metric }) }
 }
 
 /** Returns a case of a family; `undefined` if it is no valid input. */

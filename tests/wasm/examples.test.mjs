@@ -10,7 +10,7 @@ import { inspect } from 'node:util'
 import { blocksRunBy } from '../readme/blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
-const MODULES = ['index', 'worker', 'regions', 'comparison', 'sphere', 'files', 'link']
+const MODULES = ['index', 'worker', 'regions', 'metrics', 'sphere', 'files', 'link']
 /** The common beginning of the examples, as the module's own comment gives it. */
 const BEGIN = `
 const library = await loadCircleVoronoi()

@@ -6,9 +6,9 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'n
 import { tmpdir } from 'node:os'
 import { describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { loadComparison } from '../../dist/lib/comparison.js'
 import { loadFiles } from '../../dist/lib/files.js'
 import { CircleVoronoiError, loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadMetrics } from '../../dist/lib/metrics.js'
 import { loadRegions } from '../../dist/lib/regions.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
@@ -16,7 +16,7 @@ const FIXTURES = readdirSync(`${ROOT}tests/fixtures`).filter((name) => name.ends
 const CORPUS = `${ROOT}tests/fuzz/reader_corpus`
 
 const library = await loadCircleVoronoi()
-const comparison = await loadComparison({ library })
+const metrics = await loadMetrics({ library })
 const files = await loadFiles()
 const { region } = await loadRegions()
 
@@ -104,11 +104,16 @@ it('a diagram of weights says that it is one', () => {
   assert.deepEqual({ ...files.readDiagram(text) }, { ...diagram })
 })
 
-describe('the diagrams to compare with', () => {
+describe('diagrams by other metrics', () => {
   const circles = readCirclesOf('waka.csv')
-  for (const metric of ['centers', 'power']) {
-    it(`by the metric ${metric} are read as they were written, and drawn`, () => {
-      const diagram = comparison.computeComparison(circles, metric)
+  const signed = circles.map((value, k) => (k % 6 === 5 ? -value : value))
+  for (const [metric, weights] of [
+    ['centers', false],
+    ['power', false],
+    ['power', true],
+  ]) {
+    it(`by the metric ${metric}${weights ? ' with weights of any sign' : ''} are read as they were written, and drawn`, () => {
+      const diagram = metrics.compute(weights ? signed : circles, { metric, weights })
       assert.equal(diagram.certificate.certified, true)
       assert.deepEqual({ ...files.readDiagram(files.writeDiagram(diagram)) }, { ...diagram })
       assert.match(files.writeDiagram(diagram, { format: 'wkt' }), /^POLYGON /)

@@ -9,7 +9,6 @@ import { createInterface } from 'node:readline'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { distanceFrom } from '../../dist/lib/base/metric.js'
-import { loadComparison } from '../../dist/lib/comparison.js'
 import { bezierPointAt } from '../../dist/lib/curves/bezier.js'
 import { linkSides } from '../../dist/lib/diagram/link-sides.js'
 import {
@@ -18,7 +17,6 @@ import {
   convexHull,
   cubicBeziers,
   edgeCurve,
-  fromJSON,
   largestEmptyDiscCenteredInHull,
   loadCircleVoronoi,
   mergeVertices,
@@ -30,6 +28,7 @@ import {
   polyline,
   rationalBezier,
 } from '../../dist/lib/index.js'
+import { loadMetrics } from '../../dist/lib/metrics.js'
 import { exportBox } from '../../dist/lib/regions/export-box.js'
 import { curveLength } from '../../dist/lib/regions/measure.js'
 import { wholeLoop } from '../../dist/lib/regions/outline.js'
@@ -46,7 +45,7 @@ const NEAR_PARAMETER = 0.1
 const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 
 const library = await loadCircleVoronoi()
-const { computeComparison } = await loadComparison({ library })
+const { compute } = await loadMetrics({ library })
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 /** Answers requests in order. */
 const child = spawn(ANSWERS, { stdio: ['pipe', 'pipe', 'inherit'] })
@@ -89,7 +88,7 @@ for (const { name, circles } of [...fixtures, ...scaled, ...needles]) {
   describe(name, () => {
     for (const metric of ['circles', 'centers', 'power']) {
       it(`has the geometry of C++ by the metric ${metric}`, () => {
-        return compare(computeComparison(circles, metric), metric)
+        return compare(compute(circles, { metric }), metric)
       })
     }
 
@@ -102,7 +101,7 @@ for (const { name, circles } of [...fixtures, ...scaled, ...needles]) {
     it('has the geometry of C++ by the metric power with weights of any sign', () => {
       const most = circles.reduce((most, value, k) => (k % 3 === 2 ? Math.max(most, value) : most), 0)
       const weights = circles.map((value, k) => (k % 3 === 2 ? value - most / 2 : value))
-      return compare(fromJSON(nativeDiagram(weights, '--metric', 'power', '--weights', 'r')), 'power-weights')
+      return compare(compute(weights, { metric: 'power', weights: true }), 'power-weights')
     })
 
     it('has the geometry of C++ with one weight far below zero', () => {
@@ -138,12 +137,6 @@ function fileOf(circles) {
   const rows = Array.from({ length: circles.length / 3 }, (_, i) => circles.subarray(3 * i, 3 * i + 3).join())
   writeFileSync(file, `x,y,r\n${rows.map((row) => `${row}\n`).join('')}`)
   return file
-}
-
-/** The JSON file of the native program's diagram. */
-function nativeDiagram(circles, ...options) {
-  const args = ['compute', fileOf(circles), ...options, '--format', 'json']
-  return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8', stdio: ['pipe', 'pipe', 'ignore'] })
 }
 
 /** The native program's answers: questions with their numbers. */

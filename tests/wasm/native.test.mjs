@@ -8,6 +8,7 @@ import { basename } from 'node:path'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { edgeAt, loadCircleVoronoi, vertexAt } from '../../dist/lib/index.js'
+import { loadMetrics } from '../../dist/lib/metrics.js'
 import { exportBox } from '../../dist/lib/regions/export-box.js'
 import { loadRegions } from '../../dist/lib/regions.js'
 import { realData } from '../../scripts/data.mjs'
@@ -23,9 +24,12 @@ const OPTIONS = [
   { method: 'touching-disc', candidates: 'dynamic', samples: 3 },
   { method: 'touching-disc', candidates: 'uniform', samples: 50 },
   { method: 'touching-disc', candidates: 'all-pairs' },
+  { metric: 'centers' },
+  { metric: 'power' },
 ]
 
 const library = await loadCircleVoronoi()
+const { compute } = await loadMetrics({ library })
 const { region, fitAreas } = await loadRegions()
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 after(() => rmSync(folder, { recursive: true }))
@@ -45,6 +49,20 @@ for (const options of OPTIONS) {
     for (const fixture of fixtures) it(fixture, () => compare(`${ROOT}tests/fixtures/${fixture}`, options))
   })
 }
+
+describe('the same bits as the native program, weights of any sign', () => {
+  for (const metric of ['circles', 'centers', 'power']) {
+    for (const fixture of ['spruces.csv', 'waka.csv']) {
+      it(`${metric}: ${fixture}`, () => {
+        const { circles } = nativeDiagram(`${ROOT}tests/fixtures/${fixture}`, {})
+        const power = metric === 'power' ? 2 : 1
+        const rows = circles.map(({ x, y, r }, i) => `${x},${y},${(-1) ** i * (r / 3) ** power}\n`)
+        const { certificate } = compare(written('weights.csv', `x,y,r\n${rows.join('')}`), { metric, weights: 'r' })
+        assert.equal(certificate.certified, true)
+      })
+    }
+  }
+})
 
 describe('the same bits as the native program, certified, on real circles', () => {
   for (const file of realData()) {
@@ -161,7 +179,7 @@ function geometryOf(polygons) {
 function compare(file, options) {
   const { circles, ...native } = nativeDiagram(file, options)
   const { seconds, ...stats } = native.stats
-  const wasm = library.compute(circles, options)
+  const wasm = compute(circles, { ...options, weights: options.weights !== undefined })
   assert.deepStrictEqual(asJson(wasm), { ...native, stats })
   assert.deepStrictEqual(Object.keys(wasm.stats.seconds), Object.keys(seconds))
   return wasm
@@ -176,12 +194,13 @@ function nativeDiagram(file, options) {
 
 /** The parts of a diagram that the native program prints, without the circles and the time. */
 function asJson(diagram) {
-  const { vertices, vertexCircles, edges, hidden, hull, certificate } = diagram
+  const { metric, weights, vertices, vertexCircles, edges, hidden, hull, certificate } = diagram
   const { seconds: _, ...stats } = diagram.stats
   return {
     format: 'circle-voronoi',
     version: 1,
-    ...(diagram.metric === 'circles' ? {} : { metric: diagram.metric, weights: diagram.weights }),
+    ...(metric !== 'circles' && { metric }),
+    ...(weights && { weights }),
     hidden: Array.from({ length: hidden.length / 2 }, (_, h) => ({ circle: hidden[2 * h], by: hidden[2 * h + 1] })),
     vertices: Array.from({ length: vertices.length / 3 }, (_, v) => ({
       ...vertexAt(diagram, v),

@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { after, describe, it } from 'node:test'
 import { loadCircleVoronoi } from '../../dist/lib/index.js'
+import { loadMetrics } from '../../dist/lib/metrics.js'
 import { loadRegions } from '../../dist/lib/regions.js'
 import { createWorker } from '../../dist/lib/worker.js'
 
@@ -47,6 +48,23 @@ describe('compute', () => {
     }
     assert.deepEqual(there.certificate, here.certificate)
     assert.equal(there.find(3.1, 4.1), here.find(3.1, 4.1))
+  })
+
+  it('takes a metric and weights of any sign, and loads what they need with the first such question', async () => {
+    const circles = MANY.map((value, k) => (k % 6 === 5 ? -value : value))
+    const options = { metric: 'power', weights: true }
+    const stages = []
+    const there = await worker.compute(circles, { ...options, progress: (stage) => stages.push(stage) })
+    const { compute } = await loadMetrics()
+    const { stats: _here, ...here } = compute(circles, options)
+    const { stats: _there, ...rest } = there
+    assert.deepEqual({ ...rest }, { ...here })
+    assert.ok(stages.includes('certify'))
+    assert.deepEqual((await worker.compute(THREE, { metric: 'centers' })).metric, 'centers')
+    await assert.rejects(worker.compute(THREE, { metric: 'magic' }), { code: 'badOption' })
+    await assert.rejects(worker.compute([[0, 0, -1]], { metric: 'power' }), { code: 'negativeRadius', circle: 0 })
+    const signal = AbortSignal.abort('before')
+    await assert.rejects(worker.compute(THREE, { metric: 'power', signal }), (reason) => reason === 'before')
   })
 
   it('leaves the input to its owner', async () => {

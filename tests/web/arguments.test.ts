@@ -2,11 +2,11 @@
 // Every public function refuses wrong arguments by a code, and by the index of a circle where there is one. The calls are
 // generated from one table: right arguments, and the kind of each, which has the wrong values.
 import { afterAll, describe, expect, it, vi } from 'vitest'
-import * as comparisons from '../../web/lib/comparison.ts'
 import * as fileFunctions from '../../web/lib/files.ts'
 import * as index from '../../web/lib/index.ts'
 import { CircleVoronoiError, ConvexPolygon, type ErrorCode, type Lattice, SvgPath } from '../../web/lib/index.ts'
 import * as links from '../../web/lib/link.ts'
+import * as metricFunctions from '../../web/lib/metrics.ts'
 import * as regionFunctions from '../../web/lib/regions.ts'
 import * as sphereFunctions from '../../web/lib/sphere.ts'
 import { EditorClient } from '../../web/lib/threads/editor-client.ts'
@@ -30,8 +30,8 @@ const SINK = new SvgPath()
 const P = { x: 3, y: 0 }
 const POLYGON = [P, { x: 9, y: 0 }, { x: 9, y: 9 }]
 const diagram = library.compute(CIRCLES)
-const comparison = await comparisons.loadComparison({ library })
-const power = comparison.computeComparison(CIRCLES, 'power')
+const metrics = await metricFunctions.loadMetrics({ library })
+const power = metrics.compute(CIRCLES, { metric: 'power' })
 const periodic = library.computePeriodic(CIRCLES, LATTICE)
 const editor = library.edit(CIRCLES)
 const snapshot = editor.snapshot()
@@ -182,6 +182,7 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
   circles: [CIRCLES, [...noCircles, ...negative]],
   sent: [CIRCLES, input(...lost(CIRCLES))],
   weights: [CIRCLES, noCircles],
+  powers: [CIRCLES, [...noCircles, ...wrongCircles('coordinateTooLarge', 1, 5, -1e58)]],
   places: [CIRCLES, [...noPlaces, ...noCaps, ...negative]],
   weightedPlaces: [CIRCLES, [...noPlaces, ...noCaps]],
   sentPlaces: [CIRCLES, noPlaces],
@@ -238,7 +239,6 @@ const ARGUMENTS: Readonly<Record<string, readonly [right: unknown, wrong: readon
     ],
   ],
   shape: [[POLYGON.map(({ x, y }) => [x, y])], option(7, null, undefined, 'x', {})],
-  metric: ['power', option('x', 5, undefined)],
   known: [KNOWN, input(5, undefined, {}, { box: KNOWN.box }, { maxRadius: 1 }, ...wrongBoxes)],
 }
 
@@ -324,6 +324,7 @@ const FITTING =
 const DIVIDING = 'region metric:choice relax:count tolerance:number previous:none key:function progress:function signal'
 const READING = 'name:text weights:truth points:truth x:text y:text radius:text id:text skipInvalid:truth'
 const COMPUTING_SPHERE = 'weights:truth radius:sphereRadius longitude:function latitude:function r:function'
+const BY_METRIC = `${COMPUTING} ${METHODS} ${FINDING} metric:choice`
 const IN_THREAD = `${COMPUTING} ${FINDING} method:name candidates:name signal`
 
 /** Methods with limits of cells. */
@@ -378,7 +379,7 @@ const ROWS: readonly Row[] = [
   row(library, 'edit', 'circles', EDITING),
   row(library, 'certify', 'data', 'none'),
   row(library, 'finalCells', 'data known'),
-  row(worker, 'compute', 'sent', IN_THREAD),
+  row(worker, 'compute', 'sent', `${IN_THREAD} metric:choice`),
   row(worker, 'computePeriodic', 'sent lattice', IN_THREAD),
   row(worker, 'edit', 'sent', EDITING),
   row(worker, 'fitAreas', 'sites areas', FITTING, { region }),
@@ -397,7 +398,11 @@ const ROWS: readonly Row[] = [
   ...['cellAreas', 'cellPerimeters'].map((name) => row(sphere, name, '', 'maxDistance:ground')),
   row(sphere, 'cellPolygon', 'circle', 'maxDistance:ground tolerance'),
   row(sphere, 'toGeoJSON', '', 'maxDistance:ground tolerance'),
-  row(comparison, 'computeComparison', 'circles metric'),
+  row(metrics, 'compute', 'circles', BY_METRIC),
+  row(metrics, 'compute', 'circles', BY_METRIC, { metric: 'centers' }),
+  row(metrics, 'compute', 'weights', BY_METRIC, { metric: 'centers', weights: true }),
+  row(metrics, 'compute', 'circles', BY_METRIC, { metric: 'power' }),
+  row(metrics, 'compute', 'powers', BY_METRIC, { metric: 'power', weights: true }),
   row(files, 'readCircles', 'circleText', READING),
   row(files, 'readCircleFile', 'circleText', READING),
   row(files, 'readDiagram', 'diagramText', 'name:text'),
@@ -442,7 +447,7 @@ const ROWS: readonly Row[] = [
   row(regionFunctions, 'loadRegions', '', 'wasm'),
   row(fileFunctions, 'loadFiles', '', 'wasm'),
   row(sphereFunctions, 'loadSphere', '', 'wasm'),
-  row(comparisons, 'loadComparison', '', 'wasm library'),
+  row(metricFunctions, 'loadMetrics', '', 'wasm library'),
   row(workers, 'createWorker', '', 'wasm'),
   row({ encodeLink: (lattice: Lattice) => links.encodeLink({ lattice }) }, 'encodeLink', 'lattice'),
   row({ encodeLink: (circles: Float64Array) => links.encodeLink({ circles }) }, 'encodeLink', 'sent'),
@@ -523,6 +528,16 @@ const SINGLE: readonly (readonly [title: string, code: ErrorCode, act: () => unk
   ['a path without circles', 'badInput', () => index.clearestPath(library.compute([]), P, P)],
   ['weights as a text', 'badInput', () => library.certify(Object.assign({ ...diagram }, { weights: 'no' }))],
   ['an editor of a power diagram', 'badInput', () => library.edit(power)],
+  ['an editor of a power diagram in a worker', 'badInput', () => worker.edit(power)],
+  ['the proof of a power diagram', 'badInput', () => library.certify(power)],
+  ['the final cells of a power diagram', 'badInput', () => library.finalCells(power, KNOWN)],
+  ['a method of a power diagram', 'badOption', () => metrics.compute(CIRCLES, { metric: 'power', method: 'flip' })],
+  ['a trace of a power diagram', 'badOption', () => (library.trace as Act)(CIRCLES, { metric: 'power' })],
+  [
+    'another metric in a box that repeats',
+    'badOption',
+    () => (worker.computePeriodic as Act)(CIRCLES, LATTICE, { metric: 'power' }),
+  ],
   [
     'a snapshot without ids',
     'badInput',
@@ -615,8 +630,8 @@ describe('the table', () => {
   it('has every public function', () => {
     const names = new Set(ROWS.map(({ name }) => name))
     const missing = new Set<string>()
-    const modules = [index, comparisons, fileFunctions, regionFunctions, sphereFunctions, workers, links]
-    const loaded = [library, editor, client, worker, comparison, files, regions, region, spheres]
+    const modules = [index, metricFunctions, fileFunctions, regionFunctions, sphereFunctions, workers, links]
+    const loaded = [library, editor, client, worker, metrics, files, regions, region, spheres]
     for (const owner of [...modules, ...loaded, diagram, periodic, sphere, snapshot, trace] as object[]) {
       for (let level = owner; level !== Object.prototype && level !== null; level = Object.getPrototypeOf(level)) {
         for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(level))) {

@@ -1,5 +1,4 @@
 import { expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { loadFiles } from '../../web/lib/files.ts'
 import {
   CircleVoronoiError,
@@ -18,12 +17,13 @@ import {
   mergeVertices,
   type SnapshotData,
 } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { library, seededRandom } from './library.ts'
 import { ring } from './shapes.ts'
 
 const { region } = await loadRegions()
-const { computeComparison } = await loadComparison({ library })
+const { compute } = await loadMetrics({ library })
 const files = await loadFiles()
 
 const hall = region([ring(10, 10, 90, 20, 80, 90, 20, 80), ring(40, 40, 60, 40, 50, 60)])
@@ -121,7 +121,7 @@ const METRICS: readonly Metric[] = ['circles', 'centers', 'power']
 it.each(METRICS)('changed arrays of the metric %s are a result or an error', (metric) => {
   const random = seededRandom(11)
   const circles = Float64Array.from({ length: 60 }, (_, k) => (k % 3 === 2 ? 4 * random() : 100 * random()))
-  const whole = metric === 'circles' ? library.compute(circles) : computeComparison(circles, metric)
+  const whole = metric === 'circles' ? library.compute(circles) : compute(circles, { metric })
   const right = new Map(Object.entries(CALLS).map(([name, call]) => [name, outcomeOf(() => call(new Diagram(whole)))]))
   const wrong: string[] = []
   for (const name of ARRAYS) {

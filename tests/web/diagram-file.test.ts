@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { Diagram, type DiagramFile, fromJSON } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { anyCircles } from './arbitrary-circles.ts'
 import { errorOf, problemOf } from './errors.ts'
 import { library } from './library.ts'
@@ -15,10 +15,11 @@ const THREE = [
 
 /** The arrays of a diagram, without the signs of zeros. */
 function arraysOf(diagram: Diagram) {
-  const { metric, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = diagram
+  const { metric, weights, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } =
+    diagram
   const [unsignedCircles, unsignedVertices] = [circles, vertices].map((array) => array.map((value) => value + 0))
   return {
-    ...{ metric, circles: unsignedCircles, vertices: unsignedVertices, vertexCircles, edges, hidden, hull },
+    ...{ metric, weights, circles: unsignedCircles, vertices: unsignedVertices, vertexCircles, edges, hidden, hull },
     ...{ nextSide, vertexSides, firstSide },
   }
 }
@@ -48,11 +49,28 @@ describe('a diagram as JSON', () => {
   })
 
   it('keeps another distance', async () => {
-    const { computeComparison } = await loadComparison({ library })
-    for (const metric of ['centers', 'power'] as const) {
-      const diagram = computeComparison([...THREE, [0, 0, 0.5]], metric)
+    const { compute } = await loadMetrics({ library })
+    const given = [...THREE, [0, 0, 0.5]]
+    const powers = [
+      [0, 0, -(2 ** 191)],
+      [6, 0, 2 ** 192],
+      [0, 8, 2 ** -192],
+      [1, 1, 0],
+    ]
+    for (const diagram of [
+      compute(given, { metric: 'centers' }),
+      compute(powers.slice(2), { metric: 'centers', weights: true }),
+      compute(given, { metric: 'power' }),
+      compute(powers, { metric: 'power', weights: true }),
+    ]) {
       expect(arraysOf(fromJSON(JSON.stringify(diagram)))).toEqual(arraysOf(diagram))
     }
+    const file = compute(powers, { metric: 'power', weights: true }).toJSON()
+    const circles = [{ x: 0, y: 0, r: 2 ** 193 }]
+    expect(errorOf(() => fromJSON({ ...file, circles } as object))).toMatchObject({
+      code: 'coordinateTooLarge',
+      circle: 0,
+    })
   })
 
   it('may have been parsed, and have more than it needs and fewer stats', () => {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { Finder } from '../../web/lib/diagram/finder.ts'
 import { NONE } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { disjointCircles } from './disjoint-circles.ts'
 import { library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, signedDistance } from './oracle.ts'
@@ -143,7 +143,7 @@ describe('find', () => {
   })
 
   it('finds the way around a circle that lies outside of its cell with many sides', async () => {
-    const { computeComparison } = await loadComparison({ library })
+    const { compute } = await loadMetrics({ library })
     const random = seededRandom(7)
     const points = Array.from({ length: 300 }, () => {
       const turn = 2 * Math.PI * random()
@@ -152,7 +152,7 @@ describe('find', () => {
     points.unshift({ x: 0, y: 0 })
     // These circles have the cells of the points.
     const circles = Float64Array.from(points.flatMap(({ x, y }) => [x + 20, y, Math.sqrt(40 * x + 500)]))
-    const diagram = computeComparison(circles, 'power')
+    const diagram = compute(circles, { metric: 'power' })
     expect(diagram.contains(0, 20, 0)).toBe(false)
     const centers = Float64Array.from(points.flatMap(({ x, y }) => [x, y, 0]))
     for (let k = 0; k < 2000; k++) {

@@ -2,7 +2,6 @@
 // Functions take n log n steps, also where one circle has many neighbors: README.md lists their costs.
 import './steps.ts'
 import { describe, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { loadFiles } from '../../web/lib/files.ts'
 import {
   type BoundsOptions,
@@ -32,12 +31,13 @@ import {
   vertexAt,
 } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { expectGrowth, type FamilyName, type Prepare } from './growth.ts'
 import { library, seededRandom } from './library.ts'
 import { boxAround } from './oracle.ts'
 
-const comparison = await loadComparison({ library })
+const metrics = await loadMetrics({ library })
 const files = await loadFiles()
 const { region } = await loadRegions()
 
@@ -156,7 +156,7 @@ describe('n log n steps are enough for', () => {
           const x = circles[k - (k % 3)] as number
           return [x + 20, value, Math.sqrt(40 * x + 500)][k % 3] as number
         })
-        const power = comparison.computeComparison(shifted, 'power')
+        const power = metrics.compute(shifted, { metric: 'power' })
         return () => power.findAll(pointsBetween(circles, [0.1, 0.4]))
       },
       ['hub'],

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The forms in which a program may give circles, bounds and points, and diagrams that change in place.
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { type Bounds, ConvexPolygon, Diagram } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { library } from './library.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 const ROWS = [0, 3, 6].map((k) => [...CIRCLES.subarray(k, k + 3)])
 const diagram = library.compute(CIRCLES)
-const { computeComparison } = await loadComparison({ library })
-const power = computeComparison(CIRCLES, 'power')
+const { compute } = await loadMetrics({ library })
+const power = compute(CIRCLES, { metric: 'power' })
 const editor = library.edit(CIRCLES)
 
 describe('circles', () => {
@@ -120,7 +120,7 @@ it('a diagram has the methods of its kind', () => {
   const methods = (value: Diagram) => ['update', 'apply', 'indexOf'].filter((name) => name in value)
   expect(methods(diagram)).toEqual(['update'])
   expect(methods(editor.snapshot())).toEqual(['apply', 'indexOf'])
-  expect(methods(power)).toEqual([])
+  expect(methods(power)).toEqual(['update'])
   expect(methods(new Diagram(structuredClone(diagram)))).toEqual([])
   expect(diagram).toBeInstanceOf(Diagram)
   expect(editor.snapshot()).toBeInstanceOf(Diagram)

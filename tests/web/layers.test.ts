@@ -3,8 +3,8 @@ import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { circleAt, type Diagram, type Edit, type Float64s, mergeVertices, type PathSink } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import {
@@ -45,7 +45,7 @@ import { RecordingSink } from './recording-sink.ts'
 import { box } from './shapes.ts'
 
 const random = seededRandom(23)
-const comparison = await loadComparison({ library })
+const metrics = await loadMetrics({ library })
 
 function randomCircles(count: number): Float64s {
   return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.9 * random() ** 3 : 20 * random()))
@@ -355,7 +355,7 @@ describe('the power diagram', () => {
     const scene = sceneOf(randomCircles(40), { power: true })
     scene.edit([{ kind: 'remove', id: 0 }])
     expect(scene.isPowerMissing).toBe(true)
-    scene.addPower(comparison)
+    scene.addPower(metrics)
     const circle = { x: 3, y: 4, r: 5 }
     scene.edit([{ kind: 'insert', circle }])
     expect(scene.isPowerMissing).toBe(!follows)
@@ -397,7 +397,7 @@ describe('dashed edges', () => {
   it('are where they are in whichever part of the picture is painted', () => {
     const picture = new Picture(library.edit(randomCircles(60)))
     picture.centers = new Centers(library, picture.diagram)
-    picture.setPower(comparison.computeComparison(picture.diagram.circles, 'power'))
+    picture.setPower(metrics.compute(picture.diagram.circles, { metric: 'power' }))
     const part: Frame = { x: 9, y: 12, scale: 40, width: 160, height: 120 }
     for (const layer of [ordinary, power]) {
       const [whole, few] = [dashesIn(picture, layer, all), dashesIn(picture, layer, part)]
@@ -848,7 +848,7 @@ it.each([
 ])('lines, dashes and dots have twice as many pixels on a screen of twice the resolution: %o', (layers) => {
   const scene = sceneOf(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 12, 0, 1, 3, 11, 2, -9, 4, 1.5, 2, -10, 0.5))
   scene.setLayers({ ...DEFAULT_LAYERS, ...layers } as Layers)
-  if (scene.isPowerMissing) scene.addPower(comparison)
+  if (scene.isPowerMissing) scene.addPower(metrics)
   if (scene.isMethodMissing) scene.addMethod()
   const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
   const lengthsAt = (pixelRatio: number) => {

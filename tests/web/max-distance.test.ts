@@ -2,8 +2,8 @@
 // Cells clipped at a maximum distance from their circles, compared with the union of the grown circles.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { type Box, type Diagram, NONE, type Point, REGION_LIMIT } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { outlineArea } from '../../web/lib/regions/measure.ts'
 import { anyCircles, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
@@ -116,13 +116,13 @@ describe('a maximum distance', () => {
   })
 
   it('is that from the centers in the diagram of the centers', async () => {
-    const { computeComparison } = await loadComparison({ library })
+    const { compute } = await loadMetrics({ library })
     const circles = [
       [0, 0, 3],
       [10, 0, 1],
       [0, 14, 2],
     ] as const
-    const centers = computeComparison(circles, 'centers')
+    const centers = compute(circles, { metric: 'centers' })
     const points = library.compute(circles.map(([x, y]) => [x, y, 0]))
     for (const bounds of [undefined, [-9, -9, 4, 20]] as const) {
       for (const maxDistance of [1, 4, 9]) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, expect, it, vi } from 'vitest'
-import { comparisonAddress, regionsAddress } from '../../web/lib/wasm/other-wasm.ts'
+import { metricsAddress, regionsAddress } from '../../web/lib/wasm/other-wasm.ts'
 import { otherModules } from '../../web/view/load.ts'
 
 afterEach(() => vi.unstubAllGlobals())
 
 it('modules for a thread may be bytes, a response or promises of either, and none is sent where there is none', async () => {
   const bytes = Uint8Array.of(1, 2)
-  expect(await otherModules({ regionsWasm: bytes, comparisonWasm: Promise.resolve(new Response(bytes)) })).toEqual({
+  expect(await otherModules({ regionsWasm: bytes, metricsWasm: Promise.resolve(new Response(bytes)) })).toEqual({
     regionsWasm: bytes,
-    comparisonWasm: bytes.buffer,
+    metricsWasm: bytes.buffer,
   })
 })
 
@@ -25,14 +25,14 @@ it('addresses for a thread are those that the page would resolve, also the relat
     }
   }
   expect(
-    await otherModules({ regionsWasm: new RelativeURL('x:/media/regions.wasm'), comparisonWasm: 'comparison.wasm' }),
+    await otherModules({ regionsWasm: new RelativeURL('x:/media/regions.wasm'), metricsWasm: 'metrics.wasm' }),
   ).toEqual({
     regionsWasm: 'https://example.org/media/regions.wasm',
-    comparisonWasm: 'https://example.org/course/comparison.wasm',
+    metricsWasm: 'https://example.org/course/metrics.wasm',
   })
 })
 
 it('default addresses for a thread are those of the files beside the library', () => {
-  const names = [comparisonAddress(), regionsAddress()].map((url) => url?.href.split('/').at(-1))
-  expect(names).toEqual(['circle-voronoi-comparison.wasm', 'circle-voronoi-regions.wasm'])
+  const names = [metricsAddress(), regionsAddress()].map((url) => url?.href.split('/').at(-1))
+  expect(names).toEqual(['circle-voronoi-metrics.wasm', 'circle-voronoi-regions.wasm'])
 })

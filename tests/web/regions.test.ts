@@ -1,6 +1,5 @@
 import { describe, expect, it, vi } from 'vitest'
 import { distanceFrom } from '../../web/lib/base/metric.ts'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Circles,
   CircleVoronoiError,
@@ -13,6 +12,7 @@ import {
   outlineArea,
   type PathSink,
 } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import type { RegionModule } from '../../web/lib/regions/region.ts'
 import { type FitStep, loadRegions, Region, type RegionShape } from '../../web/lib/regions.ts'
 import { untyped } from './errors.ts'
@@ -240,14 +240,15 @@ describe('a diagram in a region', () => {
   it('may have weights, or be the ordinary or the power diagram', async () => {
     const bounds = [1, 1, 8, 7] as const
     const square = region([box(...bounds)])
-    const { computeComparison } = await loadComparison({ library })
+    const { compute } = await loadMetrics({ library })
     const data = circles(120, 12)
     const shifted = data.map(([x, y, r]) => [x, y, r - 0.2] as const)
     const diagrams = [
       library.compute(data),
       library.compute(shifted, { weights: true }),
-      computeComparison(data, 'centers'),
-      computeComparison(data, 'power'),
+      compute(data, { metric: 'centers' }),
+      compute(data, { metric: 'power' }),
+      compute(shifted, { metric: 'power', weights: true }),
     ]
     const inBox = { bounds, tolerance: 1e-5 }
     const inSquare = { region: square, tolerance: 1e-5 }

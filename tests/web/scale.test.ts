@@ -4,7 +4,6 @@
 import { describe, expect, it } from 'vitest'
 import { rounded } from '../../web/lib/base/coordinate-limits.ts'
 import { powerOfTwoIn, unitFor } from '../../web/lib/base/scale.ts'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Box,
   clearestPath,
@@ -26,11 +25,12 @@ import {
   pointAt,
   polyline,
 } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { exportBox } from '../../web/lib/regions/export-box.ts'
 import { curveLength } from '../../web/lib/regions/measure.ts'
 import { library, seededRandom } from './library.ts'
 
-const comparison = await loadComparison({ library })
+const metrics = await loadMetrics({ library })
 
 type Sides = [number, number, number, number]
 
@@ -110,9 +110,9 @@ function addQueries(all: Measures, diagram: Diagram, box: Box): void {
 }
 
 function measure(circles: Float64Array, metric: Metric, scale: number) {
-  const diagram = comparison.computeComparison(
+  const diagram = metrics.compute(
     circles.map((value) => value * scale),
-    metric,
+    { metric },
   )
   const box = { minX: -0.25 * scale, minY: -0.5 * scale, maxX: scale, maxY: 0.75 * scale }
   const all = new Measures()

@@ -11,6 +11,7 @@ import {
   loadCircleVoronoi,
   type Options,
 } from '../../web/lib/index.ts'
+import { loadMetrics, type MetricOptions } from '../../web/lib/metrics.ts'
 import type { RegionModule } from '../../web/lib/regions/region.ts'
 import { loadRegions, Region } from '../../web/lib/regions.ts'
 import { type AsyncDiagramEditor, type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
@@ -23,6 +24,7 @@ vi.stubGlobal('fetch', fetchHere)
 vi.stubGlobal('Worker', ThreadHere)
 afterAll(() => vi.unstubAllGlobals())
 const library = await loadCircleVoronoi()
+const metrics = await loadMetrics({ library })
 const regions = await loadRegions()
 const region = regions.region([[0, 1, 2].map((k) => [k === 0 ? 0 : 20, k < 2 ? 0 : 20] as const)])
 const THREE = [
@@ -44,9 +46,10 @@ const options: fc.Arbitrary<Options> = fc.record(
   { method: fc.constantFrom('auto', 'flip', 'touching-disc', 'magic' as 'auto'), weights: fc.boolean() },
   { requiredKeys: [] },
 )
+const metric = fc.constantFrom(undefined, 'circles', 'centers', 'power', 'magic' as 'power')
 const progress = fc.constantFrom(undefined, undefined, 'told' as const, 'throws' as const)
 const action = fc.oneof(
-  actionOf('compute', { circles, options, signal, progress }),
+  actionOf('compute', { circles, options, metric, signal, progress }),
   actionOf('periodic', { circles, options, signal, progress }),
   actionOf('fit', { circles, signal, progress }),
   actionOf('fitInBox', { circles, signal, progress }),
@@ -77,7 +80,10 @@ type Library = Pick<CircleVoronoiWorker, 'compute' | 'computePeriodic' | 'fitAre
 
 function ask(from: Library, request: Request, more: object): unknown {
   const { kind, circles } = request
-  if (kind === 'compute') return from.compute(circles, { ...request.options, ...more })
+  if (kind === 'compute') {
+    const options: MetricOptions = { ...request.options, metric: request.metric }
+    return from.compute(circles, { ...options, ...more })
+  }
   if (kind === 'periodic') return from.computePeriodic(circles, LATTICE, { ...request.options, ...more })
   const sites = circles.map(({ x, y }) => [x, y] as const)
   const areas = sites.map((_, k) => k + 1)
@@ -86,7 +92,7 @@ function ask(from: Library, request: Request, more: object): unknown {
   return from.fitAreas(sites, areas, { lattice: LATTICE, ...fitting })
 }
 
-const here = { ...library, fitAreas: regions.fitAreas } as unknown as Library
+const here = { ...library, ...metrics, fitAreas: regions.fitAreas } as unknown as Library
 const turn = () => new Promise((resolve) => setImmediate(resolve))
 
 async function play(script: readonly Action[]): Promise<void> {

@@ -3,16 +3,17 @@
 // up to 7 cannot split the code of a worker, and a script that is opened from a disk can import nothing. They are
 // imported first and together: similar scripts next to one another compress to a third of their size.
 import '../lib/generated/circle-voronoi.js'
-import '../lib/generated/circle-voronoi-comparison.js'
+import '../lib/generated/circle-voronoi-metrics.js'
 import '../lib/generated/circle-voronoi-regions.js'
+import { loadMetrics } from '../lib/metrics.ts'
 import { loadRegions } from '../lib/regions.ts'
-import { type Comparison, comparisonOf } from '../lib/wasm/comparison.ts'
 import type { CircleVoronoi } from '../lib/wasm/library.ts'
+import type { Metrics } from '../lib/wasm/metrics.ts'
 import type { Regions } from '../lib/wasm/regions.ts'
 import type { OtherModules } from '../view/load.ts'
 
-export function comparisonFor(library: CircleVoronoi, { comparisonWasm }: OtherModules): Promise<Comparison> {
-  return comparisonOf(library, comparisonWasm)
+export function metricsFor(library: CircleVoronoi, { metricsWasm }: OtherModules): Promise<Metrics> {
+  return loadMetrics({ library, wasm: metricsWasm })
 }
 
 export function regionsFrom({ regionsWasm }: OtherModules): Promise<Regions> {

@@ -5,15 +5,15 @@
  */
 // Emscripten's scripts come first: next to one another, they compress to a third of their size.
 import './generated/circle-voronoi.js'
-import './generated/circle-voronoi-comparison.js'
+import './generated/circle-voronoi-metrics.js'
 import './generated/circle-voronoi-regions.js'
 import './generated/circle-voronoi-sphere.js'
 import { answerRequests } from './threads/answer-requests.ts'
 import { THREAD_NAME } from './threads/thread-file.ts'
 
-export * from './comparison.ts'
 export * from './index.ts'
 export * from './link.ts'
+export * from './metrics.ts'
 export * from './regions.ts'
 export * from './sphere.ts'
 export * from './worker.ts'

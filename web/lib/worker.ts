@@ -19,8 +19,8 @@ import type { RingArrays } from './regions/region-shape.ts'
 import { EditorClient } from './threads/editor-client.ts'
 import { startThread, type Thread } from './threads/thread.ts'
 import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
-import type { Reply, Request } from './threads/worker-messages.ts'
-import { defaultRegionsWasm, defaultSphereWasm } from './wasm/default-wasm.ts'
+import type { ComputeRequest, Reply, Request } from './threads/worker-messages.ts'
+import { defaultMetricsWasm, defaultRegionsWasm, defaultSphereWasm } from './wasm/default-wasm.ts'
 import { type EditorOptions, editorStart } from './wasm/editor.ts'
 import {
   type AreaFit,
@@ -32,6 +32,7 @@ import {
   type SiteLike,
 } from './wasm/fit.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
+import { checkMetricOptions, type MetricOptions, newestMetricsWasm } from './wasm/metrics.ts'
 import { ACCESSORS, checkOptions, type Options } from './wasm/options.ts'
 import { newestWasm, wasmOf } from './wasm/regions.ts'
 import {
@@ -72,6 +73,13 @@ export interface AsyncOptions extends Options {
 }
 
 /**
+ * Options of `compute` in a worker, for any metric.
+ *
+ * @category Workers
+ */
+export interface AsyncMetricOptions extends AsyncOptions, MetricOptions {}
+
+/**
  * Options of `computeSphere` in a worker.
  *
  * @category Workers
@@ -88,16 +96,17 @@ export interface AsyncSphereOptions extends SphereOptions {
  */
 export interface WorkerMethods {
   /** Computes a diagram of circles that functions find in data, which are called in this thread. */
-  compute<Datum>(data: Iterable<Datum>, options: AsyncOptions & Accessors<Datum>): Promise<Diagram>
+  compute<Datum>(data: Iterable<Datum>, options: AsyncMetricOptions & Accessors<Datum>): Promise<Diagram>
   /**
-   * Computes a diagram in the worker, with the arguments of `compute` of the library, without blocking this thread.
+   * Computes a diagram in the worker, with the arguments of `compute` of `Metrics`, without blocking this thread.
    * Arrays are transferred to the worker and back; only the input is copied. An error thrown by `progress` cancels the
-   * computation and rejects the promise.
+   * computation and rejects the promise. For other metrics than `circles`, the worker takes the module that
+   * `loadMetrics` of this thread loaded last, or else the file next to this module.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`; the reason of `signal`; a `DOMException` named
    * AbortError if the worker is disposed of. Each as a rejection.
    */
-  compute(circles: Circles, options?: AsyncOptions): Promise<Diagram>
+  compute(circles: Circles, options?: AsyncMetricOptions): Promise<Diagram>
   /** Computes a periodic diagram of circles that functions find in data. */
   computePeriodic<Datum>(
     data: Iterable<Datum>,
@@ -230,6 +239,18 @@ interface Observer {
 
 /** The options of a computation, some of which find circles in data. */
 type ReadOptions<Datum> = AsyncOptions & Partial<Accessors<Datum>>
+type ReadMetricOptions<Datum> = AsyncMetricOptions & Partial<Accessors<Datum>>
+
+/** Returns the request of a computation, whose options have been checked, and who listens to it. */
+function computationOf<Datum>(
+  data: Circles | Iterable<Datum>,
+  { signal, progress, metric: _, x, y, r, ...options }: ReadMetricOptions<Datum>,
+): { readonly request: ComputeRequest; readonly observer: Observer } {
+  checkSignal(signal)
+  const circles = coordinatesOf(data, { x, y, r })
+  const tell = (reply: Reply) => 'progress' in reply && progress?.(...reply.progress)
+  return { request: { circles, options, tellsProgress: progress !== undefined }, observer: { tell, signal } }
+}
 
 /** Returns the arrays from which the worker makes the region again. */
 function arraysOf({ points, ringOffsets, polygonOffsets }: Region): RingArrays {
@@ -238,6 +259,7 @@ function arraysOf({ points, ringOffsets, polygonOffsets }: Region): RingArrays {
 
 class Client implements CircleVoronoiWorker {
   readonly #module: () => Promise<CompiledWasm>
+  readonly #metricsModule = loadedOnce(() => compileWasm(undefined, defaultMetricsWasm))
   readonly #regionsModule = loadedOnce(() => compileWasm(undefined, defaultRegionsWasm))
   readonly #sphereModule = loadedOnce(() => compileWasm(undefined, defaultSphereWasm))
   /** Answers the questions about diagrams that the worker has computed. */
@@ -254,8 +276,12 @@ class Client implements CircleVoronoiWorker {
     this.#module = loadedOnce(() => compileCircleVoronoi(loadOptions))
   }
 
-  async compute<Datum>(circles: Circles | Iterable<Datum>, options: ReadOptions<Datum> = {}): Promise<Diagram> {
-    const reply = await this.#computed('compute', circles, {}, options)
+  async compute<Datum>(circles: Circles | Iterable<Datum>, options: ReadMetricOptions<Datum> = {}): Promise<Diagram> {
+    checkMetricOptions(options, ['signal'])
+    const { request, observer } = computationOf(circles, options)
+    const { metric = 'circles' } = options
+    const other = metric === 'circles' ? {} : { wasm: newestMetricsWasm() ?? (await this.#metricsModule()), metric }
+    const reply = await this.#ask({ ...request, ...other }, [request.circles.buffer], observer)
     return new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram)
   }
 
@@ -265,7 +291,10 @@ class Client implements CircleVoronoiWorker {
     options: ReadOptions<Datum> = {},
   ): Promise<PeriodicDiagram> {
     const [ax, ay, bx, by] = latticeNumbers(lattice, 'computePeriodic') as unknown as [number, number, number, number]
-    const reply = await this.#computed('computePeriodic', circles, { lattice: { a: [ax, ay], b: [bx, by] } }, options)
+    checkOptions(options, 'computePeriodic', ['signal', ...ACCESSORS])
+    const { request, observer } = computationOf(circles, options)
+    const periods = { a: [ax, ay], b: [bx, by] } as const
+    const reply = await this.#ask({ ...request, lattice: periods }, [request.circles.buffer], observer)
     return new PeriodicDiagram((reply as Extract<Reply, { periodic: unknown }>).periodic)
   }
 
@@ -282,21 +311,6 @@ class Client implements CircleVoronoiWorker {
       this.#spheres(wasm),
     ])
     return diagramOf((reply as Extract<Reply, { sphere: unknown }>).sphere)
-  }
-
-  #computed<Datum>(
-    caller: string,
-    data: Circles | Iterable<Datum>,
-    more: { readonly lattice?: Lattice },
-    options: ReadOptions<Datum>,
-  ): Promise<Reply> {
-    checkOptions(options, caller, ['signal', ...ACCESSORS])
-    const { signal, progress, x, y, r, ...rest } = options
-    checkSignal(signal)
-    const circles = coordinatesOf(data, { x, y, r })
-    const request = { circles, ...more, options: rest, tellsProgress: progress !== undefined }
-    const tell = (reply: Reply) => 'progress' in reply && progress?.(...reply.progress)
-    return this.#ask(request, [circles.buffer], { tell, signal })
   }
 
   fitAreas(

@@ -8,7 +8,7 @@ import { coordinatesOf } from '../lib/base/coordinates.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
 import { Diagram } from '../lib/diagram/diagram.ts'
 import { decodeLink, encodeLinkAtOnce, type LinkInput, type LinkState } from '../lib/link.ts'
-import { comparisonOf } from '../lib/wasm/comparison.ts'
+import { loadMetrics } from '../lib/metrics.ts'
 import { circleVoronoiOf } from '../lib/wasm/library.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
 import { Trace } from '../lib/wasm/trace.ts'
@@ -93,7 +93,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     const layers = played === undefined ? layersFrom(given) : withoutDiagram(layersFrom(given))
     scene.setLayers({ ...layers, ownColors: ownColorsOf(editing) })
     if (scene.isMethodMissing) scene.addMethod()
-    if (scene.isPowerMissing) scene.addPower(await comparisonOf(scene.library, undefined))
+    if (scene.isPowerMissing) scene.addPower(await loadMetrics({ library: scene.library }))
     const names = { list: namesOf(editing), circleOf: (id: number) => editing.circles.get(id) }
     return svgPicture(frame, scene.svg(frame, style), style, layers, names, played ?? [])
   } finally {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
-import { comparisonAddress, regionsAddress } from '../lib/wasm/other-wasm.ts'
+import { metricsAddress, regionsAddress } from '../lib/wasm/other-wasm.ts'
 import type { WasmSource } from '../lib/wasm/wasm.ts'
 
 /**
@@ -12,14 +12,14 @@ import type { WasmSource } from '../lib/wasm/wasm.ts'
 export interface FigureLoadOptions extends LoadOptions {
   /** The source of `circle-voronoi-regions.wasm`, which `region` and `areas` need. */
   readonly regionsWasm?: WasmSource | Promise<WasmSource> | undefined
-  /** The source of `circle-voronoi-comparison.wasm`, which the layer `power` needs. */
-  readonly comparisonWasm?: WasmSource | Promise<WasmSource> | undefined
+  /** The source of `circle-voronoi-metrics.wasm`, which the layer `power` needs. */
+  readonly metricsWasm?: WasmSource | Promise<WasmSource> | undefined
 }
 
 /** The modules that few figures need, in a form that can be posted to a thread. */
 export interface OtherModules {
   readonly regionsWasm?: Exclude<WasmSource, URL | Response> | undefined
-  readonly comparisonWasm?: Exclude<WasmSource, URL | Response> | undefined
+  readonly metricsWasm?: Exclude<WasmSource, URL | Response> | undefined
 }
 
 /**
@@ -27,14 +27,14 @@ export interface OtherModules {
  * starts it from a blob.
  */
 export async function otherModules(options: FigureLoadOptions): Promise<OtherModules> {
-  const { regionsWasm, comparisonWasm } = options
-  const [regions, comparison] = await Promise.all([
+  const { regionsWasm, metricsWasm } = options
+  const [regions, metrics] = await Promise.all([
     sendable(regionsWasm ?? regionsAddress()),
-    sendable(comparisonWasm ?? comparisonAddress()),
+    sendable(metricsWasm ?? metricsAddress()),
   ])
   return {
     ...(regions !== undefined && { regionsWasm: regions }),
-    ...(comparison !== undefined && { comparisonWasm: comparison }),
+    ...(metrics !== undefined && { metricsWasm: metrics }),
   }
 }
 

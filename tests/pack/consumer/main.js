@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uses the package as its README says, in the same way in Node and in a page.
 import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
-import { loadComparison } from 'circle-voronoi/comparison'
+import { loadMetrics } from 'circle-voronoi/metrics'
 import { loadRegions } from 'circle-voronoi/regions'
 import { createWorker } from 'circle-voronoi/worker'
 
@@ -17,11 +17,11 @@ const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).m
 )
 
 /** Returns the results as text. */
-export async function use(options, comparisonOptions, regionsOptions) {
+export async function use(options, metricsOptions, regionsOptions) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)
-  const { computeComparison } = await loadComparison({ library, ...comparisonOptions })
-  const power = computeComparison(CIRCLES, 'power')
+  const { compute } = await loadMetrics({ library, ...metricsOptions })
+  const power = compute(CIRCLES, { metric: 'power' })
   const worker = createWorker(options)
   const stages = []
   const canceled = await canceledIn(worker)
@@ -35,6 +35,7 @@ export async function use(options, comparisonOptions, regionsOptions) {
       [0, 4],
     ],
   ])
+  const powerThere = await worker.compute(CIRCLES, { metric: 'power' })
   const { areas } = await worker.fitAreas(
     [
       [1, 1],
@@ -49,7 +50,7 @@ export async function use(options, comparisonOptions, regionsOptions) {
     certified: library.certify(there).certified,
     found: [here.find(5, 1), there.find(1, 7)],
     path: there.render() === here.render(),
-    power: [...power.vertices.slice(0, 2)],
+    power: [power, powerThere].map(({ vertices }) => [...vertices.slice(0, 2)]),
     stages: stages.includes('certify'),
     canceled,
     areas: Array.from(areas, (area) => area.toFixed(6)),

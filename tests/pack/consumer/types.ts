@@ -13,9 +13,9 @@ import {
   type PathSink,
   type Stage,
 } from 'circle-voronoi'
-import { loadComparison } from 'circle-voronoi/comparison'
 import { loadFiles } from 'circle-voronoi/files'
 import { decodeLink, encodeLink, type LinkState } from 'circle-voronoi/link'
+import { loadMetrics, type Metrics } from 'circle-voronoi/metrics'
 import { type CircleVoronoiWorker, createWorker } from 'circle-voronoi/worker'
 
 const library = await loadCircleVoronoi({ wasm: new URL('https://example.org/circle-voronoi.wasm') })
@@ -24,7 +24,14 @@ export const certificate: Certificate = library.certify(diagram)
 export const path: string = diagram.render()
 export const neighbors: Int32Array = diagram.neighbors(0)
 export const code: ErrorCode | undefined = ERROR_CODES[0]
-export const power: Diagram = (await loadComparison({ library })).computeComparison([], 'power')
+const metrics: Metrics = await loadMetrics({ library })
+export const power: ComputedDiagram = metrics.compute([], { metric: 'power', weights: true })
+export const ordinary: Diagram = metrics.compute([{ at: 1 }], {
+  metric: 'centers',
+  x: ({ at }) => at,
+  y: () => 0,
+  r: () => 0,
+})
 
 // Uses every option.
 const { bounds, ...rest } = { bounds: [0, 0, 1, 1] as const, tolerance: 0.1 }
@@ -81,12 +88,18 @@ export const buffers: ArrayBuffer[] = [diagram.vertices.buffer, diagram.edges.bu
 const worker: CircleVoronoiWorker = createWorker({ wasm: new Uint8Array(8) })
 export const later: Diagram = await worker.compute(new Float64Array(3), {
   signal: AbortSignal.timeout(1000),
+  metric: 'power',
+  weights: true,
   progress: (stage: Stage, done: number) => `${stage} ${done}`,
 })
 worker.dispose()
 
 // @ts-expect-error: no such method
 library.compute([], { method: 'magic' })
+// @ts-expect-error: the library alone has one metric
+library.compute([], { metric: 'power' })
+// @ts-expect-error: no such metric
+metrics.compute([], { metric: 'magic' })
 // @ts-expect-error: a circle has a radius
 library.compute([{ x: 0, y: 0 }])
 // @ts-expect-error: there is no such option

@@ -176,7 +176,11 @@ export function checkPoint(point: unknown, caller: string): asserts point is Poi
 }
 
 /** @throws CircleVoronoiError `badInput`, if a function does not support the metric of a diagram */
-export function checkMetric({ metric }: DiagramData, caller: string, ...known: readonly Metric[]): void {
+export function checkMetric(
+  { metric }: Pick<DiagramData, 'metric'>,
+  caller: string,
+  ...known: readonly Metric[]
+): void {
   if (!known.includes(metric)) {
     refuseInput(`${caller} takes a diagram of the metric ${listed(known)}, not of ${metric}.`)
   }

@@ -8,6 +8,12 @@ export const COORDINATE_LIMIT = 2 ** 96
 export const COORDINATE_LIMIT_TEXT = '7.9e28 (2^96)'
 /** Numbers are rounded to multiples of this. */
 export const COORDINATE_STEP = 2 ** -96
+/** The largest weight of a power diagram, in absolute value, which is the square of a length. */
+export const POWER_LIMIT = COORDINATE_LIMIT ** 2
+/** The limit in error messages. */
+export const POWER_LIMIT_TEXT = '6.3e57 (2^192)'
+/** Weights of power diagrams are rounded to multiples of this. */
+export const POWER_STEP = COORDINATE_STEP ** 2
 /** The largest number of an input is 0, or not below this. */
 export const SMALLEST_INPUT = 2 ** -56
 /** The smallest input in error messages. */
@@ -25,18 +31,24 @@ export const REGION_LIMIT = 2 ** 100
 /** The limit in error messages. */
 export const REGION_LIMIT_TEXT = '1.2e30 (2^100)'
 
-/** Returns a number rounded to a multiple of the step, ties to even. The sign stays, also that of zero. */
+/** Returns a number rounded to a multiple of `COORDINATE_STEP`, ties to even. The sign stays, also that of zero. */
 export function rounded(x: number): number {
+  return roundedTo(COORDINATE_STEP, x)
+}
+
+function roundedTo(step: number, x: number): number {
   const whole = 2 ** 52 // numbers from here on are integers
   const size = Math.abs(x)
-  if (!(size < whole * COORDINATE_STEP)) return x
-  const result = (size / COORDINATE_STEP + whole - whole) * COORDINATE_STEP
+  if (!(size < whole * step)) return x
+  const result = (size / step + whole - whole) * step
   return x < 0 || Object.is(x, -0) ? -result : result
 }
 
-/** Rounds all numbers in place. */
-export function roundAll(numbers: Float64s): Float64s {
-  for (let k = 0; k < numbers.length; k += 1) numbers[k] = rounded(numbers[k] as number)
+/** Rounds the numbers of circles in place. `rStep` is the step of radii or weights. */
+export function roundAll(numbers: Float64s, rStep: number = COORDINATE_STEP): Float64s {
+  for (let k = 0; k < numbers.length; k += 1) {
+    numbers[k] = roundedTo(k % 3 === 2 ? rStep : COORDINATE_STEP, numbers[k] as number)
+  }
   return numbers
 }
 

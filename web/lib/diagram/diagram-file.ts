@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON format of the command line (circle_voronoi/io.h) as JavaScript values.
 import { shown } from '../base/check.ts'
-import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT, roundAll, tooSmallMessage } from '../base/coordinate-limits.ts'
+import {
+  COORDINATE_LIMIT,
+  COORDINATE_LIMIT_TEXT,
+  COORDINATE_STEP,
+  POWER_LIMIT,
+  POWER_LIMIT_TEXT,
+  POWER_STEP,
+  roundAll,
+  tooSmallMessage,
+} from '../base/coordinate-limits.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
 import type { Certificate, Circle, Counts, DiagramData, Float64s, HiddenCircle, Seconds, Stats } from '../base/types.ts'
@@ -90,7 +99,7 @@ export function dataFrom(json: unknown): DiagramData {
   const parts = {
     metric: metric as Metric,
     weights,
-    circles: circlesOf(listOf(circles, 'circles'), weights),
+    circles: circlesOf(listOf(circles, 'circles'), weights, weights && metric === 'power'),
     vertices: Float64Array.from(
       listOf(vertices, 'vertices').flatMap((item, v) => {
         const { x, y, r } = itemOf(item, `vertices[${v}]`)
@@ -166,21 +175,27 @@ function numberOf(value: unknown, name: string, list: string, i: number): number
   return value
 }
 
-function circlesOf(items: readonly unknown[], weights: boolean): Float64s {
-  const numbers = Float64Array.from(items.flatMap((item, i) => circleOf(item, i, weights)))
+/** `hasPowers`: the weights are those of a power diagram, which are squares of lengths. */
+function circlesOf(items: readonly unknown[], weights: boolean, hasPowers: boolean): Float64s {
+  const numbers = Float64Array.from(items.flatMap((item, i) => circleOf(item, i, weights, hasPowers)))
+  const lengthOf = (value: number, k: number) =>
+    hasPowers && k % 3 === 2 ? Math.sqrt(Math.abs(value)) : Math.abs(value)
   const problem = tooSmallMessage(
-    numbers.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0),
+    numbers.reduce((largest, value, k) => Math.max(largest, lengthOf(value, k)), 0),
     'The circles',
   )
   if (problem !== undefined) refuse(problem, 'coordinateTooSmall')
-  return roundAll(numbers)
+  return roundAll(numbers, hasPowers ? POWER_STEP : COORDINATE_STEP)
 }
 
-function circleOf(item: unknown, i: number, weights: boolean): number[] {
+function circleOf(item: unknown, i: number, weights: boolean, hasPowers: boolean): number[] {
   const circle = itemOf(item, `circles[${i}]`)
   const numbers = ['x', 'y', 'r'].map((name) => numberOf(circle[name], name, 'circles', i))
-  if (numbers.some((value) => Math.abs(value) > COORDINATE_LIMIT)) {
+  if (numbers.some((value, k) => !(hasPowers && k === 2) && Math.abs(value) > COORDINATE_LIMIT)) {
     refuse(`Circle ${i} has a coordinate or a radius beyond ${COORDINATE_LIMIT_TEXT}.`, 'coordinateTooLarge', i)
+  }
+  if (hasPowers && Math.abs(numbers[2] as number) > POWER_LIMIT) {
+    refuse(`Circle ${i} has a weight beyond ${POWER_LIMIT_TEXT}.`, 'coordinateTooLarge', i)
   }
   if ((numbers[2] as number) < 0 && !weights) refuse(`Circle ${i} has a negative radius.`, 'negativeRadius', i)
   return numbers

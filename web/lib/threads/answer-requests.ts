@@ -3,11 +3,13 @@
 import { CircleVoronoiError, type PostedError, postedError, reasonOf } from '../base/errors.ts'
 import { loadedOnce } from '../base/loaded-once.ts'
 import { Diagram } from '../diagram/diagram.ts'
+import createMetricsModule from '../generated/circle-voronoi-metrics.js'
 import createRegionsModule from '../generated/circle-voronoi-regions.js'
 import createSphereModule from '../generated/circle-voronoi-sphere.js'
 import type { DiagramEditor } from '../wasm/editor.ts'
 import type { FitStep } from '../wasm/fit.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../wasm/library.ts'
+import { metricsOf } from '../wasm/metrics.ts'
 import type { Progress } from '../wasm/options.ts'
 import { type RegionsOfModule, regionsOf } from '../wasm/regions.ts'
 import { spheresOf } from '../wasm/sphere.ts'
@@ -37,6 +39,7 @@ export function answerRequests(): void {
   let library: Promise<CircleVoronoi> | undefined
   const answerCalls = editing()
   const regionsIn = loadedOnce((wasm: CompiledWasm) => regionsOf(createRegionsModule, wasm))
+  const computed = computing()
   const onSphere = loadedOnce((wasm: CompiledWasm) => spheresOf(createSphereModule, wasm))
 
   port.onmessage = async ({ data }) => {
@@ -68,17 +71,20 @@ export function answerRequests(): void {
 
 type Tell = (told: Reply) => void
 
-async function computed(
-  { circles, lattice, options, tellsProgress }: ComputeRequest,
-  library: Promise<CircleVoronoi>,
-  tell: Tell,
-): Promise<Reply> {
-  const { compute, computePeriodic } = await library
-  const progress: Progress = (...told) => tell({ progress: told })
-  const all = tellsProgress ? { ...options, progress } : options
-  return lattice === undefined
-    ? { diagram: compute(circles, all) }
-    : { periodic: computePeriodic(circles, lattice, all) }
+/** Returns a function that answers computations. The first one with another metric loads the module. */
+function computing(): (request: ComputeRequest, library: Promise<CircleVoronoi>, tell: Tell) => Promise<Reply> {
+  const metricsIn = loadedOnce((wasm: CompiledWasm, library: Promise<CircleVoronoi>) =>
+    metricsOf(createMetricsModule, wasm, library),
+  )
+  return async ({ circles, lattice, metric, wasm, options, tellsProgress }, library, tell) => {
+    const progress: Progress = (...told) => tell({ progress: told })
+    const all = tellsProgress ? { ...options, progress } : options
+    if (wasm !== undefined) return { diagram: (await metricsIn(wasm, library)).compute(circles, { ...all, metric }) }
+    const { compute, computePeriodic } = await library
+    return lattice === undefined
+      ? { diagram: compute(circles, all) }
+      : { periodic: computePeriodic(circles, lattice, all) }
+  }
 }
 
 function fitted(

@@ -4,7 +4,7 @@
 // `EditorCalls` at a time and answers with `results`.
 
 import type { PostedError } from '../base/errors.ts'
-import type { DiagramData, Float64s } from '../base/types.ts'
+import type { DiagramData, Float64s, Metric } from '../base/types.ts'
 import type { Lattice } from '../diagram/lattice.ts'
 import type { PeriodicData } from '../diagram/periodic-diagram.ts'
 import type { RingArrays } from '../regions/region-shape.ts'
@@ -26,6 +26,9 @@ export interface ComputeRequest {
   readonly circles: Float64s
   /** The periods of the circles, if they repeat. */
   readonly lattice?: Lattice
+  /** A metric other than `circles`, and the module that computes its diagrams. */
+  readonly metric?: Metric
+  readonly wasm?: CompiledWasm
   readonly options: Omit<Options, 'progress'>
   readonly tellsProgress: boolean
 }

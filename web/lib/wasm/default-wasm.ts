@@ -7,9 +7,9 @@ export function defaultWasm(): WasmSource {
   return new URL('../generated/circle-voronoi.wasm', import.meta.url)
 }
 
-/** The address of `circle-voronoi-comparison.wasm`. */
-export function defaultComparisonWasm(): WasmSource {
-  return new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
+/** The address of `circle-voronoi-metrics.wasm`. */
+export function defaultMetricsWasm(): WasmSource {
+  return new URL('../generated/circle-voronoi-metrics.wasm', import.meta.url)
 }
 
 /** The address of `circle-voronoi-sphere.wasm`. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkMemory, shown } from '../base/check.ts'
+import { checkMemory, checkMetric, shown } from '../base/check.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
-import type { DiagramData } from '../base/types.ts'
+import type { DiagramData, Metric } from '../base/types.ts'
 
 /**
  * The parts of a diagram that `certify` reads.
@@ -9,6 +9,8 @@ import type { DiagramData } from '../base/types.ts'
  * @category Loading
  */
 export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats'> & {
+  /** `circles` (default) or `centers`. */
+  readonly metric?: Metric | undefined
   readonly weights?: boolean | undefined
 }
 
@@ -32,6 +34,19 @@ export function judgedArrays(diagram: Verifiable) {
   checkArray('vertexSides', vertexSides, Int32Array, 3)
   checkArray('firstSide', firstSide, Int32Array, 1)
   return { weights, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide }
+}
+
+/**
+ * Returns the arrays of a diagram for the core, which knows the metric `circles` only: centers are circles of radius 0.
+ *
+ * @throws CircleVoronoiError `badInput`, as `judgedArrays`, or if the diagram is a power diagram
+ */
+export function judgedCircles(diagram: Verifiable, caller: string) {
+  const arrays = judgedArrays(diagram)
+  const { metric = 'circles' } = diagram
+  checkMetric({ metric }, caller, 'circles', 'centers')
+  if (metric === 'circles') return arrays
+  return { ...arrays, weights: false, circles: arrays.circles.map((value, k) => (k % 3 === 2 ? 0 : value)) }
 }
 
 function checkArray(

@@ -9,10 +9,11 @@ import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
 import type { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 import createModule from '../generated/circle-voronoi.js'
 import { type DiagramEditor, type EditorOptions, editorStart } from './editor.ts'
-import { judgedArrays, type Verifiable } from './judged-arrays.ts'
+import { judgedCircles, type Verifiable } from './judged-arrays.ts'
 import { editorsOf } from './module-editor.ts'
 import { periodicOf } from './module-periodic.ts'
 import { ACCESSORS, checkOptions, type Options, type Progress } from './options.ts'
+import { reporting } from './reporting.ts'
 import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
@@ -104,18 +105,20 @@ export interface CircleVoronoi {
    */
   edit(circles: Circles | DiagramData, options?: EditorOptions): DiagramEditor
   /**
-   * Checks in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, whatever made
-   * it. Only its typed arrays are read. `compute` has already checked its results.
+   * Checks in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, or of their
+   * centers, whatever made it. Its certificate is not read. `compute` has already checked its results.
    *
-   * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is invalid.
+   * @throws CircleVoronoiError if an array has the wrong type or length, a circle is invalid, or the diagram is a power
+   *   diagram
    */
   certify(diagram: Verifiable): Certificate
   /**
    * Finds in linear time the parts of a certified diagram that stay the same whatever circles are added outside the
    * box. A cell is final if it is bounded and the discs of its vertices, widened by `maxRadius`, lie inside the box.
    *
-   * @throws CircleVoronoiError `badInput` if the box or the radius is not made of numbers, or an array has the wrong
-   *   type or length; `badOption` if the box is empty or the radius negative or not finite.
+   * @throws CircleVoronoiError `badInput` if the box or the radius is not made of numbers, an array has the wrong
+   *   type or length, or the diagram is a power diagram; `badOption` if the box is empty or the radius negative or not
+   *   finite.
    */
   finalCells(diagram: Verifiable, known: Known): FinalCells
 }
@@ -127,15 +130,20 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
 
   const certify = (diagram: Verifiable, ...others: readonly unknown[]) => {
     checkNoOptions(others, 'certify')
-    return unwrap(module.certify(judgedArrays(diagram)))
+    return unwrap(module.certify(judgedCircles(diagram, 'certify')))
   }
 
   const told = <Value>(options: Options, run: (options: WasmOptions) => Value): Value => {
     const { weights, method, candidates, samples, resample } = options
-    const reporter = new Reporter(options.progress)
-    const result = run({ weights, method, candidates, samples, resample, progress: reporter.progress })
-    reporter.rethrow()
-    return result
+    return reporting(options.progress, (reporter) => {
+      const progress =
+        reporter &&
+        ((...told: Parameters<Progress>) => {
+          reporter.tell(...told)
+          return !reporter.isStopped
+        })
+      return run({ weights, method, candidates, samples, resample, progress })
+    })
   }
 
   const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
@@ -190,32 +198,9 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       if (![...sides, maxRadius].every((value) => typeof value === 'number')) {
         refuseInput('finalCells takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.')
       }
-      return unwrap(module.finalCells(judgedArrays(diagram), Float64Array.from(sides), maxRadius as number))
+      return unwrap(
+        module.finalCells(judgedCircles(diagram, 'finalCells'), Float64Array.from(sides), maxRadius as number),
+      )
     },
-  }
-}
-
-/**
- * Ends the computation when a callback throws. The error is kept and thrown later, because no JavaScript exception may
- * pass through the core.
- */
-class Reporter {
-  readonly progress: ((...told: Parameters<Progress>) => boolean) | undefined
-  #thrown: { readonly error: unknown } | undefined
-
-  constructor(callback: Progress | undefined) {
-    if (callback === undefined) return
-    this.progress = (stage, done) => {
-      try {
-        callback(stage, done)
-      } catch (error) {
-        this.#thrown = { error }
-      }
-      return this.#thrown === undefined
-    }
-  }
-
-  rethrow(): void {
-    if (this.#thrown !== undefined) throw this.#thrown.error
   }
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The addresses of the files that threads load.
-import { defaultComparisonWasm, defaultRegionsWasm } from './default-wasm.ts'
+import { defaultMetricsWasm, defaultRegionsWasm } from './default-wasm.ts'
 
 /**
- * The address of `circle-voronoi-comparison.wasm`; `undefined` if this module has no address, or the thread contains
+ * The address of `circle-voronoi-metrics.wasm`; `undefined` if this module has no address, or the thread contains
  * the bytes.
  */
-export function comparisonAddress(): URL | undefined {
-  return addressOf(defaultComparisonWasm)
+export function metricsAddress(): URL | undefined {
+  return addressOf(defaultMetricsWasm)
 }
 
 /** The address of `circle-voronoi-regions.wasm`. */

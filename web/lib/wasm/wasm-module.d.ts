@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The types of the exports of cpp/wasm/bindings.cpp, comparison_bindings.cpp and files_bindings.cpp.
+// The types of the exports of cpp/wasm/bindings.cpp, metrics_bindings.cpp and files_bindings.cpp.
 
 type WasmError = import('./wasm.ts').WasmError
 
@@ -76,8 +76,17 @@ interface WasmModule {
   certificateOfEditor(editor: number): WasmError | import('../base/types.ts').Certificate
 }
 
-interface WasmComparisonModule {
-  powerDiagram(circles: Float64Array): WasmError | WasmDiagram
+interface WasmMetricsModule {
+  powerDiagram(
+    circles: Float64Array,
+    weights: boolean,
+    reporter: import('./reporting.ts').Reporter | undefined,
+  ): WasmError | (WasmDiagram & { readonly circles: import('../base/types.ts').Float64s })
+  /** Returns the circles rounded. */
+  validCircles(
+    circles: Float64Array,
+    weights: boolean,
+  ): WasmError | { readonly circles: import('../base/types.ts').Float64s }
 }
 
 interface WasmRegionsModule {
@@ -250,12 +259,12 @@ declare module '*/generated/circle-voronoi-sphere.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<object>
 }
 
-declare module '*/generated/circle-voronoi-comparison.js' {
-  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmComparisonModule>
+declare module '*/generated/circle-voronoi-metrics.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmMetricsModule>
 }
 
 // Exists only in bundles: gzip as base64.
-declare module '*/generated/circle-voronoi-comparison.wasm' {
+declare module '*/generated/circle-voronoi-metrics.wasm' {
   const compressed: string
   export default compressed
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { at, circleAt } from '../../lib/base/diagram-data.ts'
-import type { Comparison } from '../../lib/comparison.ts'
 import type { Box, Diagram, Edit, Float64s } from '../../lib/index.ts'
+import type { Metrics } from '../../lib/metrics.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange, KeptIds } from '../circle-table.ts'
@@ -63,8 +63,8 @@ export class PaintedScene {
   #findingSeconds = 0
   /** Whether the global results are up to date. */
   #isFound = false
-  /** The comparison module once loaded, and the duration of the last power diagram. */
-  #comparison: Comparison | undefined
+  /** The module of metrics once loaded, and the duration of the last power diagram. */
+  #metrics: Metrics | undefined
   #powerSeconds = 0
   readonly tiles = new Tiles((...frame) => this.draw(...frame))
   #hint = -1
@@ -162,23 +162,23 @@ export class PaintedScene {
   }
 
   /** Computes the power diagram of the current circles. */
-  addPower(comparison: Comparison): void {
-    this.#comparison = comparison
+  addPower(metrics: Metrics): void {
+    this.#metrics = metrics
     this.#isFound = false
-    this.#computePower(comparison)
+    this.#computePower(metrics)
     this.tiles.restart()
   }
 
-  #computePower({ computeComparison }: Comparison): void {
+  #computePower({ compute }: Metrics): void {
     const start = performance.now()
-    this.picture.setPower(computeComparison(this.picture.diagram.circles, 'power'))
+    this.picture.setPower(compute(this.picture.diagram.circles, { metric: 'power' }))
     this.#powerSeconds = (performance.now() - start) / 1000
   }
 
   /** Updates the power diagram after an edit if that is fast. Returns whether it was. */
   #followPower(): boolean {
-    if (!this.isPowerMissing || this.#comparison === undefined || this.#powerSeconds > QUICK_POWER) return false
-    this.#computePower(this.#comparison)
+    if (!this.isPowerMissing || this.#metrics === undefined || this.#powerSeconds > QUICK_POWER) return false
+    this.#computePower(this.#metrics)
     return true
   }
 

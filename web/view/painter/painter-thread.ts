@@ -7,7 +7,7 @@ import type { Regions } from '../../lib/wasm/regions.ts'
 import type { OtherModules } from '../load.ts'
 import type { DomainChange, FromPainter, InProgress, Patch, ToPainter } from '../protocol.ts'
 import { answers, type Steps } from './answers.ts'
-import { comparisonFor, regionsFrom } from './other-modules.ts'
+import { metricsFor, regionsFrom } from './other-modules.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** Time slice for painting, in milliseconds, before the thread handles messages. */
@@ -33,7 +33,7 @@ interface Measuring {
 }
 let measuring: Measuring[] = []
 let others: OtherModules = {}
-const comparison = loadedOnce(async () => comparisonFor(await library, others))
+const metrics = loadedOnce(async () => metricsFor(await library, others))
 const regions = loadedOnce(() => regionsFrom(others))
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
@@ -279,7 +279,7 @@ async function addMissing(scene: PaintedScene, isThere = () => true): Promise<vo
     schedule()
   }
   if (!scene.isPowerMissing) return
-  const loaded = await comparison().catch(() => undefined)
+  const loaded = await metrics().catch(() => undefined)
   // A module that fails to load leaves its layer empty. The next attempt may succeed.
   if (loaded === undefined || !isThere() || !scene.isPowerMissing) return
   scene.addPower(loaded)

@@ -8,8 +8,8 @@ export function defaultWasm(): Response {
   return unpacked(compressed)
 }
 
-export function defaultComparisonWasm(): URL {
-  return new URL('../lib/generated/circle-voronoi-comparison.wasm', import.meta.url)
+export function defaultMetricsWasm(): URL {
+  return new URL('../lib/generated/circle-voronoi-metrics.wasm', import.meta.url)
 }
 
 export function defaultSphereWasm(): URL {

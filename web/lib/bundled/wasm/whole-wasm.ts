@@ -3,7 +3,7 @@
 // alone and from a disk, where nothing can be fetched.
 
 import core from '../../generated/circle-voronoi.wasm'
-import comparison from '../../generated/circle-voronoi-comparison.wasm'
+import metrics from '../../generated/circle-voronoi-metrics.wasm'
 import regions from '../../generated/circle-voronoi-regions.wasm'
 import { unpacked } from './unpacked.ts'
 
@@ -11,8 +11,8 @@ export function defaultWasm(): Response {
   return unpacked(core)
 }
 
-export function defaultComparisonWasm(): Response {
-  return unpacked(comparison)
+export function defaultMetricsWasm(): Response {
+  return unpacked(metrics)
 }
 
 export function defaultRegionsWasm(): Response {
