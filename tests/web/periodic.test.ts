@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { type Lattice, PeriodicDiagram } from '../../web/lib/index.ts'
+import { loadMetrics } from '../../web/lib/metrics.ts'
 import { problemOf } from './errors.ts'
 import { library, seededRandom } from './library.ts'
 
+const { computePeriodic } = await loadMetrics({ library })
+
+const METRICS = ['circles', 'centers', 'power'] as const
 const BOX: Lattice = { a: [4, 0], b: [1, 3] }
 
 function circles(count: number, seed: number, largest = 0.2): [number, number, number][] {
@@ -31,9 +35,10 @@ function nearestByTrying(given: readonly (readonly [number, number, number])[], 
 }
 
 describe('a periodic diagram', () => {
-  it('has cells that fill the box, and neighbors from both sides', () => {
+  it.each(METRICS)('has cells that fill the box, and neighbors from both sides, by %s', (metric) => {
     for (const count of [1, 2, 3, 10, 200]) {
-      const periodic = library.computePeriodic(circles(count, count), BOX)
+      const periodic = computePeriodic(circles(count, count), BOX, { metric })
+      expect(periodic.diagram.metric).toBe(metric)
       expect(periodic.circleCount).toBe(count)
       let area = 0
       const seen = new Map<string, number>()

@@ -33,7 +33,7 @@ import {
 } from './wasm/fit.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
 import { checkMetricOptions, type MetricOptions, newestMetricsWasm } from './wasm/metrics.ts'
-import { ACCESSORS, checkOptions, type Options } from './wasm/options.ts'
+import type { Options } from './wasm/options.ts'
 import { newestWasm, wasmOf } from './wasm/regions.ts'
 import {
   type CapAccessors,
@@ -111,14 +111,14 @@ export interface WorkerMethods {
   computePeriodic<Datum>(
     data: Iterable<Datum>,
     lattice: Lattice,
-    options: AsyncOptions & Accessors<Datum>,
+    options: AsyncMetricOptions & Accessors<Datum>,
   ): Promise<PeriodicDiagram>
   /**
-   * Computes a periodic diagram in the worker, with the arguments of `computePeriodic` of the library.
+   * Computes a periodic diagram in the worker, with the arguments of `computePeriodic` of `Metrics`.
    *
    * @throws CircleVoronoiError as `computePeriodic`, and what `compute` of the worker throws. Each as a rejection.
    */
-  computePeriodic(circles: Circles, lattice: Lattice, options?: AsyncOptions): Promise<PeriodicDiagram>
+  computePeriodic(circles: Circles, lattice: Lattice, options?: AsyncMetricOptions): Promise<PeriodicDiagram>
   /** Computes a diagram on a sphere of circles that functions find in data. */
   computeSphere<Datum>(data: Iterable<Datum>, options: AsyncSphereOptions & CapAccessors<Datum>): Promise<SphereDiagram>
   /**
@@ -238,13 +238,12 @@ interface Observer {
 }
 
 /** The options of a computation, some of which find circles in data. */
-type ReadOptions<Datum> = AsyncOptions & Partial<Accessors<Datum>>
-type ReadMetricOptions<Datum> = AsyncMetricOptions & Partial<Accessors<Datum>>
+type ReadOptions<Datum> = AsyncMetricOptions & Partial<Accessors<Datum>>
 
 /** Returns the request of a computation, whose options have been checked, and who listens to it. */
 function computationOf<Datum>(
   data: Circles | Iterable<Datum>,
-  { signal, progress, metric: _, x, y, r, ...options }: ReadMetricOptions<Datum>,
+  { signal, progress, metric: _, x, y, r, ...options }: ReadOptions<Datum>,
 ): { readonly request: ComputeRequest; readonly observer: Observer } {
   checkSignal(signal)
   const circles = coordinatesOf(data, { x, y, r })
@@ -276,11 +275,10 @@ class Client implements CircleVoronoiWorker {
     this.#module = loadedOnce(() => compileCircleVoronoi(loadOptions))
   }
 
-  async compute<Datum>(circles: Circles | Iterable<Datum>, options: ReadMetricOptions<Datum> = {}): Promise<Diagram> {
-    checkMetricOptions(options, ['signal'])
+  async compute<Datum>(circles: Circles | Iterable<Datum>, options: ReadOptions<Datum> = {}): Promise<Diagram> {
+    checkMetricOptions(options, 'compute', ['signal'])
     const { request, observer } = computationOf(circles, options)
-    const { metric = 'circles' } = options
-    const other = metric === 'circles' ? {} : { wasm: newestMetricsWasm() ?? (await this.#metricsModule()), metric }
+    const other = await this.#otherMetric(options)
     const reply = await this.#ask({ ...request, ...other }, [request.circles.buffer], observer)
     return new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram)
   }
@@ -291,11 +289,17 @@ class Client implements CircleVoronoiWorker {
     options: ReadOptions<Datum> = {},
   ): Promise<PeriodicDiagram> {
     const [ax, ay, bx, by] = latticeNumbers(lattice, 'computePeriodic') as unknown as [number, number, number, number]
-    checkOptions(options, 'computePeriodic', ['signal', ...ACCESSORS])
+    checkMetricOptions(options, 'computePeriodic', ['signal'])
     const { request, observer } = computationOf(circles, options)
     const periods = { a: [ax, ay], b: [bx, by] } as const
-    const reply = await this.#ask({ ...request, lattice: periods }, [request.circles.buffer], observer)
+    const other = await this.#otherMetric(options)
+    const reply = await this.#ask({ ...request, lattice: periods, ...other }, [request.circles.buffer], observer)
     return new PeriodicDiagram((reply as Extract<Reply, { periodic: unknown }>).periodic)
+  }
+
+  /** Returns a metric other than `circles`, and the module for it. */
+  async #otherMetric({ metric = 'circles' }: MetricOptions): Promise<Pick<ComputeRequest, 'metric' | 'wasm'>> {
+    return metric === 'circles' ? {} : { wasm: newestMetricsWasm() ?? (await this.#metricsModule()), metric }
   }
 
   async computeSphere<Datum>(

@@ -79,11 +79,11 @@ function computing(): (request: ComputeRequest, library: Promise<CircleVoronoi>,
   return async ({ circles, lattice, metric, wasm, options, tellsProgress }, library, tell) => {
     const progress: Progress = (...told) => tell({ progress: told })
     const all = tellsProgress ? { ...options, progress } : options
-    if (wasm !== undefined) return { diagram: (await metricsIn(wasm, library)).compute(circles, { ...all, metric }) }
-    const { compute, computePeriodic } = await library
+    const { compute, computePeriodic } = wasm === undefined ? await library : await metricsIn(wasm, library)
+    const chosen = metric === undefined ? all : { ...all, metric }
     return lattice === undefined
-      ? { diagram: compute(circles, all) }
-      : { periodic: computePeriodic(circles, lattice, all) }
+      ? { diagram: compute(circles, chosen) }
+      : { periodic: computePeriodic(circles, lattice, chosen) }
   }
 }
 

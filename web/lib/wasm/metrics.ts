@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { refuseOption } from '../base/check.ts'
 import { type Accessors, type Circles, coordinatesOf } from '../base/coordinates.ts'
+import { at } from '../base/diagram-data.ts'
 import { CANDIDATES, type DiagramData, type Float64s, METHODS, METRICS, type Metric } from '../base/types.ts'
 import { ComputedDiagram } from '../diagram/computed-diagram.ts'
+import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
+import { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 import type { CircleVoronoi } from './library.ts'
+import { periodicOf } from './module-periodic.ts'
 import { ACCESSORS, checkOptions, type Options } from './options.ts'
-import { reporting } from './reporting.ts'
+import { type Reporter, reporting } from './reporting.ts'
 import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from './wasm.ts'
 
 /**
@@ -51,6 +55,19 @@ export interface Metrics {
    *   another method than `auto`
    */
   compute(circles: Circles, options?: MetricOptions): ComputedDiagram
+  /** Computes the periodic diagram of circles that functions find in data, as `compute` does. */
+  computePeriodic<Datum>(
+    data: Iterable<Datum>,
+    lattice: Lattice,
+    options: MetricOptions & Accessors<Datum>,
+  ): PeriodicDiagram
+  /**
+   * Computes the periodic diagram of circles by a metric, with the other arguments and the result of `computePeriodic`
+   * of the library. A circle in a box has a power cell if the cell has an interior, wherever the box begins.
+   *
+   * @throws CircleVoronoiError as `compute` and `computePeriodic` of the library
+   */
+  computePeriodic(circles: Circles, lattice: Lattice, options?: MetricOptions): PeriodicDiagram
 }
 
 /** The script of the module, as written by Emscripten. */
@@ -64,12 +81,12 @@ export function newestMetricsWasm(): CompiledWasm | undefined {
 let newest: CompiledWasm | undefined
 
 /**
- * Checks the options of `compute` for any metric. `more` has the names of further options of the caller.
+ * Checks the options of a computation by any metric. `more` has the names of further options of the caller.
  *
  * @throws CircleVoronoiError `badOption`
  */
-export function checkMetricOptions(options: MetricOptions, more: readonly string[] = []): void {
-  checkOptions(options, 'compute', ['metric', ...more, ...ACCESSORS])
+export function checkMetricOptions(options: MetricOptions, caller: string, more: readonly string[] = []): void {
+  checkOptions(options, caller, ['metric', ...more, ...ACCESSORS])
   const { metric = 'circles', method = 'auto', candidates = 'dynamic' } = options
   checkChoice('metric', metric, METRICS)
   if (metric === 'circles') return
@@ -94,7 +111,7 @@ export async function metricsOf(
   wasm: CompiledWasm | Promise<CompiledWasm>,
   library: CircleVoronoi | Promise<CircleVoronoi>,
 ): Promise<Metrics> {
-  const [compiled, { compute }] = await Promise.all([wasm, library])
+  const [compiled, { compute, computePeriodic }] = await Promise.all([wasm, library])
   const module = (await instantiate(createModule, compiled)) as WasmMetricsModule
   newest = compiled
 
@@ -118,12 +135,36 @@ export async function metricsOf(
 
   return {
     compute<Datum>(circles: Circles | Iterable<Datum>, options: MetricOptions & Partial<Accessors<Datum>> = {}) {
-      checkMetricOptions(options)
+      checkMetricOptions(options, 'compute')
       const { metric = 'circles', x, y, r, ...others } = options
       const coordinates = coordinatesOf(circles, { x, y, r })
       if (metric === 'circles') return compute(coordinates, others)
       const dataOf = metric === 'power' ? powerOf : centersOf
       return new ComputedDiagram(coordinates, (current) => dataOf(current, others))
+    },
+    computePeriodic<Datum>(
+      circles: Circles | Iterable<Datum>,
+      lattice: Lattice,
+      options: MetricOptions & Partial<Accessors<Datum>> = {},
+    ) {
+      checkMetricOptions(options, 'computePeriodic')
+      const { metric = 'circles', x, y, r, ...others } = options
+      const periods = latticeNumbers(lattice, 'computePeriodic')
+      const coordinates = coordinatesOf(circles, { x, y, r })
+      if (metric === 'circles') return computePeriodic(coordinates, lattice, others)
+      const { weights = false, progress } = others
+      if (metric === 'power') {
+        const run = (reporter: Reporter | undefined) => module.periodicPower(coordinates, periods, weights, reporter)
+        return periodicOf(unwrap(reporting(progress, run)), coordinates.length / 3, metric)
+      }
+      const { circles: valid } = unwrap(module.validCircles(coordinates, weights))
+      const points = valid.map((value, k) => (k % 3 === 2 ? 0 : value))
+      const { diagram, ...images } = computePeriodic(points, lattice, { progress })
+      // Images have the radius of their circle.
+      const radii = diagram.circles.map((value, k) =>
+        k % 3 === 2 ? at(valid, 3 * at(images.circleOf, (k - 2) / 3) + 2) : value,
+      )
+      return new PeriodicDiagram({ ...images, diagram: { ...diagram, metric, weights, circles: radii } })
     },
   }
 }

@@ -82,6 +82,13 @@ interface WasmMetricsModule {
     weights: boolean,
     reporter: import('./reporting.ts').Reporter | undefined,
   ): WasmError | (WasmDiagram & { readonly circles: import('../base/types.ts').Float64s })
+  /** `lattice`: ax, ay, bx, by. */
+  periodicPower(
+    circles: Float64Array,
+    lattice: Float64Array,
+    weights: boolean,
+    reporter: import('./reporting.ts').Reporter | undefined,
+  ): WasmError | WasmPeriodicDiagram
   /** Returns the circles rounded. */
   validCircles(
     circles: Float64Array,
