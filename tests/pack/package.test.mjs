@@ -190,16 +190,17 @@ describe('in Node', () => {
     assert.equal(project.run(process.execPath, 'bundle-main.mjs'), '3,4,4 3,4,4\n')
   })
 
-  it('from the bundle, fits in its worker', () => {
+  it('from the bundle, fits and power diagrams in its worker', () => {
     project.write(
       'bundle-fit.mjs',
       `import { createWorker, loadRegions } from './node_modules/circle-voronoi/dist/lib/bundle.js'
       const { region } = await loadRegions()
       const square = region([[[0, 0], [4, 0], [4, 4], [0, 4]]])
       const { areas } = await createWorker().fitAreas([[1, 1], [3, 2]], [4, 12], { region: square })
-      console.log(Array.from(areas, Math.round).join())`,
+      const power = await createWorker().compute([[0, 0, -4], [10, 0, 20]], { metric: 'power', weights: true })
+      console.log(Array.from(areas, Math.round).join(), power.find(3.9, 0))`,
     )
-    assert.equal(project.run(process.execPath, 'bundle-fit.mjs'), '4,12\n')
+    assert.equal(project.run(process.execPath, 'bundle-fit.mjs'), '4,12 1\n')
   })
 
   it('by require, where Node requires modules', () => {

@@ -11,12 +11,13 @@ import { library } from '../web/library.ts'
 
 const ROOT = new URL('../../', import.meta.url)
 const read = (path) => readFileSync(new URL(path, ROOT), 'utf8')
+const all = blocks()
 const own = blocksRunBy('tests/scripts/blocks.test.mjs')
 const ownOf = (what) =>
   own.filter((block) => block.what === what).map((block) => [`${block.file}:${block.line}`, block])
 
 describe('each block of code in the site is run by one test', () => {
-  it.each(blocks().map((block) => [`${block.file}:${block.line}`, block]))('%s', (_, block) => {
+  it.each(all.map((block) => [`${block.file}:${block.line}`, block]))('%s', (_, block) => {
     expect(runnersOf(block).map(({ by }) => by)).toHaveLength(1)
   })
 
@@ -26,7 +27,7 @@ describe('each block of code in the site is run by one test', () => {
     }
     for (const runner of RUN_BY) {
       expect(
-        blocks().filter((block) => runnersOf(block).includes(runner)),
+        all.filter((block) => runnersOf(block).includes(runner)),
         JSON.stringify(runner),
       ).not.toEqual([])
     }
