@@ -398,7 +398,14 @@ class Fitter {
            stepAlong(state, least, supported(state.cells.springs, state), isSlow);
   }
 
-  bool stepAlong(State& state, double least, const std::vector<Spring>& springs, bool isSlow) const {
+  /// Springs, first those inside the region.
+  struct Springs {
+    std::vector<Spring> all;
+    std::size_t inside;
+  };
+
+  bool stepAlong(State& state, double least, const Springs& its, bool isSlow) const {
+    const std::vector<Spring>& springs = its.all;
     std::vector<double> stiffness;
     for (const Spring& spring : springs) stiffness.push_back(spring.stiffness);
     SpringSystem system(sites_.size(), springs);
@@ -438,10 +445,8 @@ class Fitter {
           return true;
         }
         tooFar = share;
-      } else if (next && !arePowers() && ++losses % kPatienceWithLosses == 0) {
-        for (std::size_t k = 0; k < springs.size(); ++k) {
-          if (isLost(springs[k].left) || isLost(springs[k].right)) stiffness[k] *= kHolding;
-        }
+      } else if (next && !arePowers() && ++losses % kPatienceWithLosses == 0 && losses <= kMostLosses) {
+        hold(its, isLost, stiffness);
         direction = directionAt(system, state, springs, forces, stiffness);
         share = kRenewed;
         tooFar = 0;
@@ -452,17 +457,44 @@ class Fitter {
     return false;
   }
 
+  /// The springs of lost cells are made harder after this number of trials that lose cells, up to a total number. After
+  /// that, only shorter steps help, as where a cell comes in whose border was just outside the region.
   static constexpr int kPatienceWithLosses = 5;
+  static constexpr int kMostLosses = 30;
   static constexpr double kHolding = 4;
   static constexpr double kRenewed = 0.25;
 
-  std::vector<Spring> springsOf(const State& state) const {
+  /// Makes the springs of cells harder that a step would lose. Those inside the region get one factor for each cell, so
+  /// that they outweigh those outside and have the proportions that they have by nature: then the area of the cell
+  /// grows along the step, if that is small enough, because its force is positive.
+  template <class IsLost>
+  void hold(const Springs& springs, const IsLost& isLost, std::span<double> stiffness) const {
+    std::vector<double> held(sites_.size(), 0);
+    std::vector<double> natural(sites_.size(), 0);
+    for (std::size_t k = 0; k < springs.all.size(); ++k) {
+      for (const CircleIndex i : {springs.all[k].left, springs.all[k].right}) {
+        held[static_cast<std::size_t>(i)] += kHolding * stiffness[k];
+        if (k < springs.inside) natural[static_cast<std::size_t>(i)] += springs.all[k].stiffness;
+      }
+    }
+    for (std::size_t k = 0; k < springs.inside; ++k) {
+      const double its = springs.all[k].stiffness;
+      for (const CircleIndex i : {springs.all[k].left, springs.all[k].right}) {
+        const auto cell = static_cast<std::size_t>(i);
+        if (isLost(i) && natural[cell] > 0) stiffness[k] = std::max(stiffness[k], its * (held[cell] / natural[cell]));
+      }
+    }
+  }
+
+  Springs springsOf(const State& state) const {
     std::vector<Spring> springs = state.cells.springs;
-    if (!around_ || density_.background > 0) return springs;
+    const std::size_t count = springs.size();
+    if (!around_ || density_.background > 0) return {std::move(springs), count};
     // A border through a corner in which parts of the region touch has next to no length inside, and holds nothing.
     std::erase_if(springs, [&](const Spring& spring) { return !(lengthOf(spring) > kWeak * spring.length); });
-    if (SpringSystem(sites_.size(), springs).components() == 1) return springs;
-    return supported(std::move(springs), state);
+    if (SpringSystem(sites_.size(), springs).components() > 1) return supported(std::move(springs), state);
+    const std::size_t strong = springs.size();
+    return {std::move(springs), strong};
   }
 
   bool arePowers() const { return options_.metric == Metric::power; }
@@ -471,12 +503,13 @@ class Fitter {
   double lengthOf(const Spring& spring) const { return spring.stiffness * (arePowers() ? 2 * spring.length : 1); }
 
   /// Returns springs together with weaker ones in the box around the region.
-  std::vector<Spring> supported(std::vector<Spring> springs, const State& state) const {
+  Springs supported(std::vector<Spring> springs, const State& state) const {
+    const std::size_t inside = springs.size();
     for (Spring spring : measureCells(state.found.diagram, *around_).springs) {
       spring.stiffness *= kRoughly * kRoughly;
       springs.push_back(spring);
     }
-    return springs;
+    return {std::move(springs), inside};
   }
 
   std::vector<double> directionAt(SpringSystem& system, const State& state, std::span<const Spring> springs,
