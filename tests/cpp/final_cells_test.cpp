@@ -444,6 +444,20 @@ TEST(FinalCells, BoxesOfAnySizeAreOnTheSafeSide) {
   EXPECT_EQ(finalCount({{-1e-308, -1e-308, 1e-308, 1e-308}, 0}), 0);
 }
 
+TEST(FinalCells, OfCentersAreThoseOfPoints) {
+  Circles circles = {{0, 0, 3}, {4, 0, 1}, {1, 5, 2}, {6, 6, 4}, {3, 3, 0}, {-2, 4, 5}};
+  Options options;
+  options.metric = Metric::centers;
+  const Diagram ofCenters = compute(circles, options).value();
+  const auto found = finalCells(ofCenters, {{-9, -9, 9, 9}, 5}).value();
+  for (Circle& c : circles) c.r = 0;
+  const auto expected = finalCells(compute(circles).value(), {{-9, -9, 9, 9}, 0}).value();
+  EXPECT_EQ(found.vertices, expected.vertices);
+  EXPECT_EQ(found.neededHalo, expected.neededHalo);
+  options.metric = Metric::power;
+  EXPECT_EQ(finalCells(compute(circles, options).value(), {{-9, -9, 9, 9}, 0}).error().code, ErrorCode::badInput);
+}
+
 TEST(FinalCells, RefusesInvalidBoxesRadiiAndDiagrams) {
   const Circles circles = generate(Family::uniform, 10, 1);
   Diagram diagram = compute(circles).value();

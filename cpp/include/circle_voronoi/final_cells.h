@@ -76,7 +76,8 @@ struct FinalCells {
 ///
 /// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, coordinateTooSmall,
 /// tooManyCircles, badArithmetic; badOption if the box is empty, or maxRadius is negative or not finite; badInput if
-/// the diagram names circles or vertices that do not exist.
+/// the diagram names circles or vertices that do not exist, or is a power diagram. With Metric::centers all circles are
+/// points, also those outside.
 Result<FinalCells> finalCells(const Diagram& diagram, const MissingCircles& missing);
 
 }  // namespace circle_voronoi

@@ -145,9 +145,15 @@ Result<FinalCells> finalCells(const Diagram& diagram, const MissingCircles& miss
     if (!fits(diagram)) {
       return errorWith(ErrorCode::badInput, "The diagram names circles or vertices that are not there.");
     }
-    const auto circles = validate(diagram.circles, diagram.weights);
+    if (diagram.metric == Metric::power) {
+      return errorWith(ErrorCode::badInput, "The final cells of a power diagram are not known.");
+    }
+    auto circles = validate(diagram.circles, diagram.weights);
     if (!circles) return circles.error();
-    return finalCellsOf(circles.value(), diagram, Outside(missing));
+    if (diagram.metric == Metric::circles) return finalCellsOf(circles.value(), diagram, Outside(missing));
+    MissingCircles points = missing;
+    points.maxRadius = 0;
+    return finalCellsOf(pointsOf(circles.value()), diagram, Outside(points));
   });
 }
 
