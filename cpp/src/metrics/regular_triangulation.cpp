@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
 #include "in_circle.h"
 #include "judge_power.h"
+#include "mix.h"
 #include "settle_ties.h"
 #include "vectors.h"
 
@@ -205,6 +207,25 @@ class Triangulator {
   int hint_ = 0;
 };
 
+/// Numbers in rounds, each about twice as large as all before together, and each in increasing order (N. Amenta, S. Choi,
+/// G. Rote, "Incremental constructions con BRIO", 2003): of sites in spatial order, row by row, the last would take the
+/// faces of all before again and again.
+std::vector<int> inRounds(std::size_t count) {
+  constexpr int kRounds = 24;
+  std::vector<int> rounds(count);
+  std::array<std::size_t, kRounds + 1> begins = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    int round = kRounds - 1;
+    for (std::uint64_t bits = mix(i); round > 0 && (bits & 1) != 0; bits >>= 1) --round;
+    rounds[i] = round;
+    ++begins[static_cast<std::size_t>(round) + 1];
+  }
+  for (std::size_t k = 1; k < begins.size(); ++k) begins[k] += begins[k - 1];
+  std::vector<int> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[begins[static_cast<std::size_t>(rounds[i])]++] = static_cast<int>(i);
+  return order;
+}
+
 /// The edges of a triangulation whose two faces lie in one plane, and the corners with such edges alone.
 class FlatParts {
  public:
@@ -302,8 +323,8 @@ RegularTriangulation regularTriangulation(std::span<const WeightedPoint> sites) 
   if (turn == 0) return ofLine(sites);
   const auto corner = static_cast<int>(third);
   Triangulator triangulator(sites, turn > 0 ? std::array{0, 1, corner} : std::array{1, 0, corner});
-  for (std::size_t i = 2; i < sites.size(); ++i) {
-    if (i != third) triangulator.insert(static_cast<int>(i));
+  for (const int site : inRounds(sites.size())) {
+    if (site > 1 && site != corner) triangulator.insert(site);
   }
   return settled(std::move(triangulator).result(), sites);
 }

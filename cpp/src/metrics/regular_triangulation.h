@@ -21,7 +21,7 @@ struct RegularTriangulation {
 ///
 /// A site is a corner if and only if its cell has an interior, and the faces of sites that are lifted into one plane are
 /// those of `settleTies`. So the result depends neither on the order of the sites nor on where they are.
-/// Takes n log n steps for most sites in spatial order.
+/// Takes n log n steps for most sites in spatial order, of which it inserts more and more in each round.
 RegularTriangulation regularTriangulation(std::span<const WeightedPoint> sites);
 
 }  // namespace circle_voronoi
