@@ -291,8 +291,8 @@ py::tuple fittedInBox(const Doubles& sites, const Doubles& areas, std::array<dou
 
 /// `previous`: for each node x, y and weight of its earlier site, which are NaN for a new node; no rows without an
 /// earlier treemap. Returns values, areas and sites of the nodes, their polygons as `polygons` does, and the error.
-py::tuple treemapOf(const Ints& parents, const Doubles& values, const SharedRegion& region,
-                    const std::string& metric, std::optional<int> relax, double tolerance, const Doubles& previous) {
+py::tuple treemapOf(const Ints& parents, const Doubles& values, const SharedRegion& region, const std::string& metric,
+                    std::optional<int> relax, double tolerance, const Doubles& previous) {
   TreemapOptions options;
   options.metric = *metricFromName(metric);
   options.relax = relax;

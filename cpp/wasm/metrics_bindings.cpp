@@ -18,9 +18,9 @@ using namespace circle_voronoi;
 /// A callback throws this to end the computation.
 struct Stopped {};
 
-/// `reporter` is undefined or an object: its method `tell` is called with the name of a stage and the finished part of it,
-/// and must not throw. If its property `isStopped` is true afterwards, the computation ends. Functions that return a
-/// value would need more of Emscripten's script than the modules next to which this script is compressed.
+/// `reporter` is undefined or an object: its method `tell` is called with the name of a stage and the finished part of
+/// it, and must not throw. If its property `isStopped` is true afterwards, the computation ends. Functions that return
+/// a value would need more of Emscripten's script than the modules next to which this script is compressed.
 Options powerOptions(bool weights, const val& reporter) {
   Options options;
   options.metric = Metric::power;

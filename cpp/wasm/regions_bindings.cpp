@@ -296,8 +296,8 @@ val fitAreasValue(const val& domain, const val& sites, const val& areas, const v
 }
 
 /// `previous`: x, y and weight of the earlier site of each node, NaN for a new one; empty without an earlier treemap.
-/// `relax`: undefined by default. `progress` is called with the numbers of nodes that are divided and that are to be, and
-/// returns whether to go on. It must not throw.
+/// `relax`: undefined by default. `progress` is called with the numbers of nodes that are divided and that are to be,
+/// and returns whether to go on. It must not throw.
 val treemapValue(std::uintptr_t region, const val& parents, const val& values, const val& given) {
   return valueOf([&] {
     TreemapOptions options;

@@ -133,8 +133,8 @@ TEST(AreaFitSprings, AreSolvedInEachComponentByItself) {
   SpringSystem system(6, springs);
   EXPECT_EQ(system.components(), 3U);
   EXPECT_EQ(system.componentOf(), (std::vector<std::size_t>{0, 1, 0, 1, 0, 2}));
-  const std::vector<double> x = system.solve(std::vector<double>{1, 3, 2}, std::vector<double>{1, 4, 2, -4, -3, 0},
-                                              std::vector<double>(6, 1));
+  const std::vector<double> x =
+      system.solve(std::vector<double>{1, 3, 2}, std::vector<double>{1, 4, 2, -4, -3, 0}, std::vector<double>(6, 1));
   // The forces belong to x = (4/3, 1, 1/3, -1, -2/3... ), up to a constant in each component.
   ASSERT_EQ(x.size(), 6U);
   EXPECT_NEAR(x[0] - x[2], 1, 1e-14);
@@ -169,9 +169,7 @@ void expectAreasOverDecades(Metric metric) {
   }
 }
 
-TEST(AreaFit, ReachesAreasOverDecadesAmongRandomSites) {
-  expectAreasOverDecades(Metric::circles);
-}
+TEST(AreaFit, ReachesAreasOverDecadesAmongRandomSites) { expectAreasOverDecades(Metric::circles); }
 TEST(PowerAreaFit, ReachesAreasOverDecadesAmongRandomSites) { expectAreasOverDecades(Metric::power); }
 
 // Weights are doubles. A cell that is a millionth of its neighbor is a sliver behind it, whose area the last bits of
@@ -234,9 +232,7 @@ void expectAreasWhereverTheSitesLie(Metric metric) {
   }
 }
 
-TEST(AreaFit, ReachesAreasWhereverTheSitesLie) {
-  expectAreasWhereverTheSitesLie(Metric::circles);
-}
+TEST(AreaFit, ReachesAreasWhereverTheSitesLie) { expectAreasWhereverTheSitesLie(Metric::circles); }
 TEST(PowerAreaFit, ReachesAreasWhereverTheSitesLie) { expectAreasWhereverTheSitesLie(Metric::power); }
 
 // Many of the sites lie between the teeth, and parts of their cells in the region are slivers, which a step loses
@@ -292,7 +288,9 @@ void expectAreasInRegionsOfSeveralPieces(Metric metric) {
 TEST(AreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
   expectAreasInRegionsOfSeveralPieces(Metric::circles);
 }
-TEST(PowerAreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) { expectAreasInRegionsOfSeveralPieces(Metric::power); }
+TEST(PowerAreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
+  expectAreasInRegionsOfSeveralPieces(Metric::power);
+}
 
 /// The dual function at a list of weights, by quadrature on a grid in the unit square.
 double dualValue(const std::vector<Circle>& sites, const std::vector<double>& weights,

@@ -23,8 +23,8 @@ inline std::vector<double> sharesOver(double decades, std::size_t count, circle_
 
 /// Fits the cells in a region or in the box of a lattice to shares of its area.
 template <class Domain>
-auto fitShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Domain& domain,
-               int relax = 0, Metric metric = Metric::circles) {
+auto fitShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Domain& domain, int relax = 0,
+               Metric metric = Metric::circles) {
   AreaFitOptions options;
   options.metric = metric;
   options.shares = true;

@@ -108,7 +108,8 @@ Lattice latticeAround(const std::vector<Circle>& circles) {
 }
 
 TEST(GrowthOfQueries, OfAPeriodicDiagram) {
-  // In strips of more sites, more vertices of power diagrams need exact numbers: more steps for each, but a bounded number.
+  // In strips of more sites, more vertices of power diagrams need exact numbers: more steps for each, but a bounded
+  // number.
   static const std::array kOfPowers = {kUniform, kHub, kComb, kSpiral};
   for (const Metric metric : {Metric::circles, Metric::power}) {
     expectGrowth({"computePeriodic, " + std::string(metricName(metric)), "compute_periodic.h",

@@ -55,9 +55,7 @@ Nodes randomTree(std::size_t size, std::size_t branches, double decades, Random&
 
 /// Each point lies on a side of the region, but for rounding, or inside.
 void expectInside(const Polygons& polygons, const Region& region, double slack) {
-  const auto isNear = [&](Point p) {
-    return region.contains(p) || !region.sidesNear(std::vector{p}, slack).empty();
-  };
+  const auto isNear = [&](Point p) { return region.contains(p) || !region.sidesNear(std::vector{p}, slack).empty(); };
   for (const auto& rings : polygons) {
     for (const Region::Ring& ring : rings) {
       for (const Point p : ring) EXPECT_TRUE(isNear(p)) << p.x << ' ' << p.y;

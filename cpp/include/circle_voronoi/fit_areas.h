@@ -62,10 +62,10 @@ struct AreaFit {
 /// those of exact cells then: vertices of the diagram have the digits of coordinates only, and areas measured with them
 /// differ by more.
 ///
-/// This is semi-discrete optimal transport with the distance or its square as cost. The weights maximize a concave function. Its
-/// gradient is what the areas lack, and its second derivative is the graph Laplacian of the edges, each a spring.
-/// Newton's method with damping finds them (V. Hartmann, D. Schuhmacher, doi:10.1007/s00186-020-00703-z; J. Kitagawa,
-/// Q. Mérigot, B. Thibert, arXiv:1603.05579).
+/// This is semi-discrete optimal transport with the distance or its square as cost. The weights maximize a concave
+/// function. Its gradient is what the areas lack, and its second derivative is the graph Laplacian of the edges, each a
+/// spring. Newton's method with damping finds them (V. Hartmann, D. Schuhmacher, doi:10.1007/s00186-020-00703-z; J.
+/// Kitagawa, Q. Mérigot, B. Thibert, arXiv:1603.05579).
 ///
 /// The centers of `sites` are the sites, and their radii the weights to start from, which may be negative. Weights of
 /// an earlier fit make a fit after a small change take few steps. Sites may lie outside the region. The same input
@@ -81,8 +81,8 @@ struct AreaFit {
 /// Errors: nonFinite, coordinateTooLarge (both name the site), coordinateTooSmall, badInput (the numbers of areas and
 /// sites differ, an area is not positive and finite, two sites are equal, the areas do not sum to the region's, their
 /// sum exceeds the largest number, an area is so small or the region so large that a fit leaves the range of numbers),
-/// badOption (also Metric::centers, which has no weights), tooManyCircles (also if memory runs out), notConverged (the message gives the number of steps and the
-/// error reached; the last call of `onStep` got the best weights).
+/// badOption (also Metric::centers, which has no weights), tooManyCircles (also if memory runs out), notConverged (the
+/// message gives the number of steps and the error reached; the last call of `onStep` got the best weights).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
 

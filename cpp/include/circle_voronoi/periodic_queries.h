@@ -40,8 +40,8 @@ struct Contact {
   CircleIndex circle = {};
   CircleImage neighbor;
   double length = 0;  ///< of the border; the sum if the two cells share several edges
-  /// |c - c'| - r - r'; negative if the circles overlap. Where the weights of a power diagram are given, r is the root of
-  /// the weight, with its sign.
+  /// |c - c'| - r - r'; negative if the circles overlap. Where the weights of a power diagram are given, r is the root
+  /// of the weight, with its sign.
   double gap = 0;
 };
 

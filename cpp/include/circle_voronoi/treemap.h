@@ -57,17 +57,18 @@ struct Treemap {
   double error = 0;  ///< the largest relative error of an area
 };
 
-/// Divides a region among the nodes of a tree, so that each area is in proportion to the node's value and the children of
-/// a node fill its cell (M. Balzer, O. Deussen, "Voronoi Treemaps", 2005). The cells of the children are those of a fit of
-/// areas in the cell of their parent (`fitAreas`). With a convex region and straight borders, all cells are convex.
+/// Divides a region among the nodes of a tree, so that each area is in proportion to the node's value and the children
+/// of a node fill its cell (M. Balzer, O. Deussen, "Voronoi Treemaps", 2005). The cells of the children are those of a
+/// fit of areas in the cell of their parent (`fitAreas`). With a convex region and straight borders, all cells are
+/// convex.
 ///
-/// Sites begin in the middle of the parts into which lines divide the parent's cell, with the right areas. So the result
-/// depends on values and region alone, and the same input gives the same bits on every platform. Takes the steps of a fit
-/// for the children of each node.
+/// Sites begin in the middle of the parts into which lines divide the parent's cell, with the right areas. So the
+/// result depends on values and region alone, and the same input gives the same bits on every platform. Takes the steps
+/// of a fit for the children of each node.
 ///
-/// Errors: badInput, with a node as `circle`, if there are no nodes, a parent does not come before its child, a second node
-/// has no parent, a value of a leaf is negative or not finite, or all are zero; badOption; notConverged and the other
-/// codes of `fitAreas` with the node whose cell cannot be divided.
+/// Errors: badInput, with a node as `circle`, if there are no nodes, a parent does not come before its child, a second
+/// node has no parent, a value of a leaf is negative or not finite, or all are zero; badOption; notConverged and the
+/// other codes of `fitAreas` with the node whose cell cannot be divided.
 Result<Treemap> treemap(std::span<const TreemapNode> nodes, const Region& region, const TreemapOptions& options = {});
 
 }  // namespace circle_voronoi

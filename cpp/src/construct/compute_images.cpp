@@ -38,9 +38,10 @@ namespace {
 // closed cell of given circle i, and j an image that is as near to p. Then |p - c_i| = f(p) + r_i <= m - R + r_i and |p
 // - c_j| <= m - R + r_j, so |c_i - c_j| <= H - (R - r_j) because r_i <= R. If circle i is hidden, then also by the
 // nearest image of each circle that hides it. Such a circle is visible, so m - R + r_j >= 0, and the image lies within
-// m <= H - (R - r_j). Powers: f(p) <= m^2 - W, so |p - c_j|^2 <= m^2 - (W - w_j), and |p - c_i| <= m. If circle i has no
-// cell, its center lies in the triangle of the three circles of a vertex q, and so no farther than the farthest of these
-// centers from q, within m. The three are as near to the center of i as those of cells, and circle i is hidden by them.
+// m <= H - (R - r_j). Powers: f(p) <= m^2 - W, so |p - c_j|^2 <= m^2 - (W - w_j), and |p - c_i| <= m. If circle i has
+// no cell, its center lies in the triangle of the three circles of a vertex q, and so no farther than the farthest of
+// these centers from q, within m. The three are as near to the center of i as those of cells, and circle i is hidden by
+// them.
 
 /// Coordinates of centers and periods have this many bits. The coordinates of an image are less than eight times as
 /// large: the given circles lie within kWidest periods of each other in both directions, and H is at most 1.53 times

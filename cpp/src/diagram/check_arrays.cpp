@@ -121,8 +121,9 @@ Result<void> checkCircle(const Diagram& diagram, std::size_t i) {
   }
   // Integers of fixed size hold multiples of the step alone.
   if (normalized(diagram.circles[i], diagram.weights, diagram.metric) != diagram.circles[i]) {
-    return Error{ErrorCode::badInput, static_cast<std::int64_t>(i),
-                 "Circle " + std::to_string(i) + " has a number that is not a multiple of 2^-96, or an area of 2^-192."};
+    return Error{
+        ErrorCode::badInput, static_cast<std::int64_t>(i),
+        "Circle " + std::to_string(i) + " has a number that is not a multiple of 2^-96, or an area of 2^-192."};
   }
   return {};
 }

@@ -49,8 +49,7 @@ CIRCLE_VORONOI_API Result<std::vector<Circle>> validate(std::span<const Circle> 
 CIRCLE_VORONOI_API Result<void> validatePart(std::span<const Circle> circles, bool weights, std::size_t first,
                                              Metric metric = Metric::circles);
 /// Returns what `validatePart` has accepted, normalized.
-std::vector<Circle> normalized(std::span<const Circle> circles, bool weights = false,
-                               Metric metric = Metric::circles);
+std::vector<Circle> normalized(std::span<const Circle> circles, bool weights = false, Metric metric = Metric::circles);
 
 /// Returns the centers as circles of radius 0.
 std::vector<Circle> pointsOf(std::span<const Circle> circles);

@@ -27,8 +27,8 @@ struct HalfPlane {
   }
 };
 
-/// Cuts rings (I. E. Sutherland, G. W. Hodgman, 1974). What is cut apart stays one ring, which runs to and fro along the
-/// line. That changes neither areas nor moments.
+/// Cuts rings (I. E. Sutherland, G. W. Hodgman, 1974). What is cut apart stays one ring, which runs to and fro along
+/// the line. That changes neither areas nor moments.
 Rings cut(const Rings& rings, const HalfPlane& half) {
   Rings result;
   for (const Region::Ring& ring : rings) {
@@ -86,7 +86,8 @@ Box boxOf(const Rings& rings) {
   return box;
 }
 
-/// The middle of the longest piece inside the rings of the horizontal line through a point, or the point if there is none.
+/// The middle of the longest piece inside the rings of the horizontal line through a point, or the point if there is
+/// none.
 Point middleOfChord(const Rings& rings, Point through) {
   std::vector<double> crossings;
   for (const Region::Ring& ring : rings) {

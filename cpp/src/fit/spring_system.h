@@ -23,8 +23,8 @@ class SpringSystem {
   SpringSystem& operator=(SpringSystem&&) noexcept;
 
   /// Returns x for springs of other stiffness in the same places. The sum of a component's forces is first subtracted
-  /// from its cells in proportion to their sizes, which are positive: rounding of a large area would be more than a small
-  /// area is. Returns nothing if rounding leaves no solution.
+  /// from its cells in proportion to their sizes, which are positive: rounding of a large area would be more than a
+  /// small area is. Returns nothing if rounding leaves no solution.
   std::vector<double> solve(std::span<const double> stiffness, std::span<const double> forces,
                             std::span<const double> sizes);
 

@@ -44,7 +44,8 @@ class Tree {
         refuse(i, "must have a finite value that is not negative, not " + numberText(values_[i]) + ".");
       }
     }
-    if (std::isinf(values_[0])) throw ThrownError{{ErrorCode::badInput, 0, "The values sum to more than the largest number."}};
+    if (std::isinf(values_[0]))
+      throw ThrownError{{ErrorCode::badInput, 0, "The values sum to more than the largest number."}};
     if (values_[0] == 0) throw ThrownError{{ErrorCode::badInput, 0, "All values are zero."}};
     std::vector<int> levels(nodes.size(), 0);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
