@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from os import PathLike
 
 METRICS = ("circles", "centers", "power")
-# Those with weights.
+# Metrics with weights.
 FIT_METRICS = ("circles", "power")
 METHODS = ("auto", "touching-disc", "flip")
 CANDIDATES = ("dynamic", "uniform", "all-pairs")

@@ -27,8 +27,8 @@ struct HalfPlane {
   }
 };
 
-/// Cuts rings (I. E. Sutherland, G. W. Hodgman, 1974). What is cut apart stays one ring, which runs to and fro along
-/// the line. That changes neither areas nor moments.
+/// Cuts rings (I. E. Sutherland, G. W. Hodgman, 1974). A ring that is cut apart stays one ring, which runs to and fro
+/// along the line. That changes neither areas nor moments.
 Rings cut(const Rings& rings, const HalfPlane& half) {
   Rings result;
   for (const Region::Ring& ring : rings) {

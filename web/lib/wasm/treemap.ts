@@ -20,7 +20,7 @@ export interface TreeNode {
 }
 
 /**
- * What `treemap` sets on each node.
+ * The properties that `treemap` sets on each node.
  *
  * @category Regions
  */
