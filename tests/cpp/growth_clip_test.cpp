@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
@@ -37,6 +38,25 @@ GrowthInput rooms(std::size_t size) {
 }
 
 constexpr std::array kRooms = {GrowthFamily{"rooms", rooms}};
+
+/// One polygon of teeth with a hole each. All teeth end in the cell of the first circle, apart from each other.
+GrowthInput teeth(std::size_t size) {
+  const std::size_t count = size / 8;
+  const double height = 2 * static_cast<double>(count);
+  GrowthInput input = {{{0, height / 2, 1}, {height, height / 2, 1}}, {{{{height, 0}, {height, height}}}}};
+  auto& polygon = input.polygons[0];
+  for (std::size_t k = count; k-- > 0;) {
+    const double low = 2 * static_cast<double>(k);
+    const double root = 0.9 * height;
+    for (const Point& p : {Point{root, low + 1.5}, {0, low + 1.5}, {0, low + 0.5}, {root, low + 0.5}}) {
+      polygon[0].push_back(p);
+    }
+    polygon.push_back(squareAround({0.1 * height, low + 1}, 0.2));
+  }
+  return input;
+}
+
+constexpr std::array kTeeth = {GrowthFamily{"teeth", teeth}};
 
 /// A promise of a function of a clipped diagram.
 template <class Use>
@@ -81,6 +101,21 @@ TEST(GrowthOfClips, OfCellsOneByOne) {
                     }
                   };
                 }});
+}
+
+TEST(GrowthOfClips, OfHolesInManyLoopsOfACell) {
+  for (const bool isCut : {false, true}) {
+    expectGrowth({"ClippedDiagram::outline", "clipped_diagram.h",
+                  [isCut](const GrowthInput& input) {
+                    const auto clipping = std::make_shared<Clipping>(input);
+                    std::optional<double> distance;
+                    if (isCut) distance = 0.45 * clipping->diagram.circles[1].x;
+                    const auto clipped =
+                        kept(ClippedDiagram::from(clipping->diagram, clipping->region, distance).value());
+                    return [clipping, clipped] { EXPECT_GT(clipped->outline(0).size(), 10U); };
+                  },
+                  kTeeth});
+  }
 }
 
 TEST(GrowthOfClips, OfNeighbors) {

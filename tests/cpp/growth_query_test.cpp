@@ -42,12 +42,18 @@ std::vector<Point> pointsBetween(const std::vector<Circle>& circles) {
 }
 
 TEST(GrowthOfQueries, OfAFinder) {
-  expectGrowth({"Finder", "finder.h", ofDiagram([](const Diagram& diagram) {
-                  const Finder finder(diagram);
-                  for (const Point& p : pointsBetween(diagram.circles)) EXPECT_NE(finder.find(p), kNone);
-                  EXPECT_FALSE(finder.findAll(pointsBetween(diagram.circles)).empty());
-                }),
-                circleFamilies()});
+  for (const Metric metric : {Metric::circles, Metric::power}) {
+    expectGrowth({"Finder", "finder.h",
+                  [metric](const GrowthInput& input) {
+                    const auto diagram = kept(compute(input.circles, {.metric = metric}).value());
+                    return [diagram] {
+                      const Finder finder(*diagram);
+                      for (const Point& p : pointsBetween(diagram->circles)) EXPECT_NE(finder.find(p), kNone);
+                      EXPECT_FALSE(finder.findAll(pointsBetween(diagram->circles)).empty());
+                    };
+                  },
+                  circleFamilies()});
+  }
 }
 
 TEST(GrowthOfQueries, OfNeighbors) {

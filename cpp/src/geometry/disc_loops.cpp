@@ -7,7 +7,6 @@
 #include <iterator>
 #include <utility>
 
-#include "in_outline.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -134,25 +133,9 @@ LoopsWithin DiscLoops::finish(bool isWhole) {
   }
   std::ranges::move(closed_, std::back_inserter(result.outline));
   result.isHole.assign(result.outline.size(), 0);
-  if (holes_.empty() || result.outline.empty()) return result;
-  // Each hole comes after the loop around it.
-  Outline outer = std::exchange(result.outline, {});
-  result.isHole.clear();
-  std::vector<std::vector<std::size_t>> holesOf(outer.size());
-  for (std::size_t h = 0; h < holes_.size(); ++h) {
-    const Point p = holes_[h].front().curve.start;
-    std::size_t around = 0;
-    while (around + 1 < outer.size() && !hasInLoop(outer[around], p)) ++around;
-    holesOf[around].push_back(h);
-  }
-  for (std::size_t k = 0; k < outer.size(); ++k) {
-    result.outline.push_back(std::move(outer[k]));
-    result.isHole.push_back(0);
-    for (const std::size_t h : holesOf[k]) {
-      result.outline.push_back(std::move(holes_[h]));
-      result.isHole.push_back(1);
-    }
-  }
+  if (result.outline.empty()) return result;
+  std::ranges::move(holes_, std::back_inserter(result.outline));
+  result.isHole.resize(result.outline.size(), 1);
   return result;
 }
 

@@ -11,7 +11,7 @@
 
 namespace circle_voronoi {
 
-/// The loops of the part of a cell in its disc. Holes come after the loop around them.
+/// The loops of the part of a cell in its disc. Holes come last.
 struct LoopsWithin {
   Outline outline;
   std::vector<std::uint8_t> isHole;

@@ -10,9 +10,9 @@
 #include "at.h"
 #include "cell_limits.h"
 #include "edge_curve.h"
-#include "in_outline.h"
 #include "judge_clip.h"
 #include "judge_within.h"
+#include "nesting.h"
 #include "ordered_sides.h"
 #include "part_within.h"
 #include "refuse_clip.h"
@@ -228,7 +228,7 @@ void ClipParts::loopsOf(CircleIndex circle, Loops& loops) const {
     polygons.push_back(polygon);
   }
   if (holes.empty()) return;
-  const std::vector<std::vector<std::int32_t>> holesOf = holesIn(loops, polygons, holes);
+  const std::vector<std::vector<std::int32_t>> holesOf = holesIn(circle, loops, polygons, holes);
   const Loops outer = std::move(loops);
   loops.clear();
   for (std::size_t k = 0; k < polygons.size(); ++k) {
@@ -243,7 +243,8 @@ void ClipParts::loopsOf(CircleIndex circle, Loops& loops) const {
 }
 
 /// Returns for each loop the holes in it. `polygons` has the polygon of each loop, or -1 for a whole border.
-std::vector<std::vector<std::int32_t>> ClipParts::holesIn(const Loops& loops, const std::vector<std::int32_t>& polygons,
+std::vector<std::vector<std::int32_t>> ClipParts::holesIn(CircleIndex circle, const Loops& loops,
+                                                          const std::vector<std::int32_t>& polygons,
                                                           const std::vector<std::int32_t>& holes) const {
   std::vector<std::vector<std::int32_t>> result(polygons.size());
   // The loops by polygons, with the whole border first.
@@ -252,25 +253,44 @@ std::vector<std::vector<std::int32_t>> ClipParts::holesIn(const Loops& loops, co
   const auto polygonOf = [&](std::int32_t loop) { return polygons[at(loop)]; };
   std::ranges::stable_sort(order, {}, polygonOf);
   const auto borders = withKey(order, std::int32_t{-1}, polygonOf);
-  std::vector<std::vector<OutlinePiece>> pieces(polygons.size());
-  for (const std::int32_t hole : holes) {
-    const auto its = withKey(order, region.polygonOf(hole), polygonOf);
+  // Holes are sorted by polygons.
+  for (std::size_t first = 0, last = 0; first < holes.size(); first = last) {
+    const std::int32_t polygon = region.polygonOf(holes[first]);
+    std::vector<PointRing> rings;
+    for (; last < holes.size() && region.polygonOf(holes[last]) == polygon; ++last) {
+      const auto begin = region.points().begin();
+      rings.emplace_back(begin + region.ringOffsets()[at(holes[last])],
+                         begin + region.ringOffsets()[at(holes[last]) + 1]);
+    }
+    const auto its = withKey(order, polygon, polygonOf);
     // The polygon of a whole border has no other loop in the cell.
     const auto candidates = its.empty() ? borders : its;
     // Where the region is thinner than rounding, nothing may be left around a hole.
     if (candidates.empty()) continue;
-    std::int32_t around = candidates.front();
-    if (candidates.size() > 1) {
-      const Point p = pointOf(region.ringOffsets()[at(hole)]);
-      const auto found = std::ranges::find_if(candidates, [&](std::int32_t loop) {
-        if (pieces[at(loop)].empty()) pieces[at(loop)] = piecesOf(loops.loop(at(loop)));
-        return hasInLoop(pieces[at(loop)], p);
-      });
-      if (found != candidates.end()) around = *found;
+    Outline outer;
+    for (std::size_t k = 0; candidates.size() > 1 && k < candidates.size(); ++k) {
+      outer.push_back(piecesOf(loops.loop(at(candidates[k]))));
     }
-    result[at(around)].push_back(hole);
+    const std::vector<std::size_t> around = loopsAround(outer, rings, middleOf(circle, outer));
+    for (std::size_t k = 0; k < rings.size(); ++k) result[at(candidates[around[k]])].push_back(holes[first + k]);
   }
   return result;
+}
+
+/// Returns a point of a cell from which all of it is seen. For Metric::power, whose centers may lie outside, it is the
+/// mean of points of the cell, which is convex.
+Point ClipParts::middleOf(CircleIndex circle, const Outline& loops) const {
+  const Circle& c = diagram.circles[at(circle)];
+  if (diagram.metric != Metric::power) return {c.x, c.y};
+  Point sum = {0, 0};
+  std::size_t count = 0;
+  for (const auto& loop : loops) {
+    for (const OutlinePiece& piece : loop) {
+      sum = {sum.x + piece.curve.start.x, sum.y + piece.curve.start.y};
+      ++count;
+    }
+  }
+  return {sum.x / static_cast<double>(count), sum.y / static_cast<double>(count)};
 }
 
 std::vector<OutlinePiece> ClipParts::piecesOf(std::span<const LoopPiece> loop) const {

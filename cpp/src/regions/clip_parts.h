@@ -121,8 +121,10 @@ class CIRCLE_VORONOI_API ClipParts {
   void addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const;
   std::int32_t addArcs(std::int32_t crossing, Loops& loops) const;
   bool isBorderInside(CircleIndex circle) const;
-  std::vector<std::vector<std::int32_t>> holesIn(const Loops& loops, const std::vector<std::int32_t>& polygons,
+  std::vector<std::vector<std::int32_t>> holesIn(CircleIndex circle, const Loops& loops,
+                                                 const std::vector<std::int32_t>& polygons,
                                                  const std::vector<std::int32_t>& holes) const;
+  Point middleOf(CircleIndex circle, const Outline& loops) const;
   void judgePartsWithin() const;
 
   std::vector<InCell> into_;

@@ -2,11 +2,13 @@
 #include "part_within.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 #include "at.h"
 #include "in_circle.h"
+#include "nesting.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -207,6 +209,31 @@ class LoopCutter {
   std::vector<std::int32_t> ringsInside_;
 };
 
+/// Puts each hole after the loop around it.
+void putHolesIntoLoops(LoopsWithin& loops, Point center) {
+  const auto firstHole = std::ranges::find(loops.isHole, 1) - loops.isHole.begin();
+  if (firstHole < 2 || firstHole == static_cast<std::ptrdiff_t>(loops.isHole.size())) return;
+  const auto middle = std::make_move_iterator(loops.outline.begin() + firstHole);
+  Outline outer(std::make_move_iterator(loops.outline.begin()), middle);
+  Outline holes(middle, std::make_move_iterator(loops.outline.end()));
+  std::vector<PointRing> rings(holes.size());
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    for (const OutlinePiece& piece : holes[k]) rings[k].push_back(piece.curve.start);
+  }
+  std::vector<std::vector<std::size_t>> holesOf(outer.size());
+  const std::vector<std::size_t> around = loopsAround(outer, rings, center);
+  for (std::size_t k = 0; k < holes.size(); ++k) holesOf[around[k]].push_back(k);
+  loops = {{}, {}, loops.isSound};
+  for (std::size_t k = 0; k < outer.size(); ++k) {
+    loops.outline.push_back(std::move(outer[k]));
+    loops.isHole.push_back(0);
+    for (const std::size_t hole : holesOf[k]) {
+      loops.outline.push_back(std::move(holes[hole]));
+      loops.isHole.push_back(1);
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<ArcWithin> arcWithin(const ClipParts& parts, const Arc& arc) {
@@ -220,7 +247,10 @@ std::optional<ArcWithin> arcWithin(const ClipParts& parts, const Arc& arc) {
 
 LoopsWithin loopsWithin(const ClipParts& parts, CircleIndex circle, const Loops& loops) {
   if (loops.isHole.empty()) return {};
-  return LoopCutter(parts, circle).run(loops);
+  LoopsWithin result = LoopCutter(parts, circle).run(loops);
+  const Circle& c = parts.diagram.circles[at(circle)];
+  putHolesIntoLoops(result, {c.x, c.y});
+  return result;
 }
 
 AreaBounds areaBounds(const ClipParts& parts, CircleIndex circle, const Loops& loops) {

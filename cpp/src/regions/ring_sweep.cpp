@@ -317,4 +317,13 @@ RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32
   return Sweep(rings, sideName, advise).run();
 }
 
+std::optional<RingOrder> orderIfApart(const Rings& rings) {
+  try {
+    return orderOf(
+        rings, [](std::int32_t) { return std::string("side"); }, [](Error&, std::int32_t, std::int32_t) {});
+  } catch (const ThrownError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace circle_voronoi

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,5 +46,8 @@ struct RingOrder {
 /// rings cross or overlap; `sideName` says what a side is called, and `advise` appends advice about two sides.
 RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName,
                   const std::function<void(Error& error, std::int32_t a, std::int32_t b)>& advise);
+
+/// Determines how rings lie to each other. Returns nothing if they cross or overlap, as by rounding.
+std::optional<RingOrder> orderIfApart(const Rings& rings);
 
 }  // namespace circle_voronoi

@@ -195,16 +195,6 @@ class Steps {
   std::vector<std::int32_t> place_;  ///< of each point in the walk, or kNone
 };
 
-/// Returns how rings lie to each other, or nothing if rounding has made them cross.
-std::optional<RingOrder> orderIfApart(const Rings& rings) {
-  try {
-    return orderOf(
-        rings, [](std::int32_t) { return std::string("side"); }, [](Error&, std::int32_t, std::int32_t) {});
-  } catch (const ThrownError&) {
-    return std::nullopt;
-  }
-}
-
 /// Puts holes that touch no outer ring into the smallest outer ring around them; all into the first polygon where
 /// rounding leaves none.
 void addHoles(std::vector<PointRing> holes, Polygons& polygons) {
