@@ -30,7 +30,7 @@ describe('what is to be reached', () => {
           vertices: vertices.length / 3,
           edges: edges.length / 4,
         }
-        const facts = factsOf({ diagram, clip: undefined }, counts, idsOf(asked))
+        const facts = factsOf({ diagram, limits: {} }, counts, idsOf(asked))
         return holds(asked, facts)
       }
       expect(isSo(circles as number[][])).toBe(false)

@@ -385,9 +385,10 @@ export class PaintedScene {
     if (this.tiles.viewport === undefined) return new Float64Array()
     const { grid, wanted } = this.tiles.viewport
     const tolerance = toleranceOf(grid)
-    const { clip } = this.picture
-    if (clip !== undefined) return commandsOf((context) => clip.drawCells(context, diagram, circles, tolerance))
-    const options = { bounds: boundsOf(frameOf(grid, wanted)), tolerance }
+    const { clip, maxDistance } = this.picture.limits
+    if (clip !== undefined)
+      return commandsOf((context) => clip.drawCells(diagram, circles, { context, tolerance, maxDistance }))
+    const options = { bounds: boundsOf(frameOf(grid, wanted)), tolerance, maxDistance }
     return commandsOf((context) => {
       for (const i of circles) diagram.cellPath(i, { context, ...options })
     })
