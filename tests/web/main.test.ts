@@ -3,9 +3,9 @@
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { decodeLink } from '../../web/lib/link.ts'
-import { element, send, textOf } from './page-document.ts'
+import { buttonOf, element, press, send, textOf } from './page-document.ts'
 import { box } from './shapes.ts'
-import { FIVE, quiet, soon, wholePage } from './whole-page.ts'
+import { entered, FIVE, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
 const status = () => textOf(element('status'))
@@ -42,6 +42,40 @@ describe('the first scene', () => {
     expect([page.view.layers.hull, page.store.get().step]).toEqual([true, 1])
     page = await wholePage('v1.wrong')
     await soon(() => expect([page.store.get().dataSet, element('problem').hidden]).toEqual(['start', false]))
+  })
+})
+
+describe('circles that move by themselves', () => {
+  const radii = () => [0, 1, 2, 3, 4].map((id) => page.circle(id)?.r)
+  const stop = () => element<HTMLButtonElement>('stop')
+  const started = async () => {
+    const panel = await page.panel('motion')
+    await entered(panel, 'Breathe', 'on')
+    press(panel, 'Play')
+    await soon(() => expect(radii()).not.toEqual([2, 3, 1, 2, 4]))
+    press(panel, 'Close')
+    expect([stop().hidden, buttonOf('motion').ariaPressed]).toEqual([false, 'true'])
+  }
+  beforeAll(async () => {
+    page = await wholePage()
+  })
+  beforeEach(() => page.open(FIVE))
+
+  it.each<[string, () => unknown, boolean]>([
+    ['the button on the picture', () => stop().click(), false],
+    ['Escape anywhere', () => send(buttonOf('files'), 'keydown', { key: 'Escape' }), false],
+    ['undo, which brings them back', () => element('undo').click(), true],
+    ['a method that is played', () => page.actions.showStep(0), false],
+  ])('are stopped by %s', async (_, act, areBack) => {
+    await started()
+    act()
+    await soon(() => expect(stop().hidden).toBe(true))
+    await quiet()
+    const now = radii()
+    await quiet()
+    expect([radii(), buttonOf('motion').ariaPressed]).toEqual([now, null])
+    if (areBack) expect(now).toEqual([2, 3, 1, 2, 4])
+    page.actions.showStep(undefined)
   })
 })
 

@@ -115,8 +115,10 @@ mountSay(store, async (file) => {
   await opening?.openFile(file)
 })
 const motion = loadedOnce(async () => {
-  const { Motion } = await import('./motion/motion.ts')
-  return new Motion(view, editing, actions)
+  const [{ Motion }, { listenToStop }] = await Promise.all([import('./motion/motion.ts'), import('./motion/stop.ts')])
+  const motion = new Motion(view, editing, actions)
+  listenToStop(motion, store)
+  return motion
 })
 const pen = new RegionPen(store, actions, view)
 actions.pen = pen
