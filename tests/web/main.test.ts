@@ -96,4 +96,12 @@ describe('what is said', () => {
     await quiet()
     expect(status()).toMatch(/ \de-\d+ /)
   })
+
+  it('is how long a thousand circles or more took, which fewer circles do not tell', async () => {
+    const circles = Float64Array.from({ length: 3000 }, (_, k) => (k % 3 === 2 ? 0.1 : (k * 7919) % 1009))
+    await page.open(circles.slice(3))
+    expect(status()).not.toMatch(/\d m?s\b/)
+    await page.open(circles)
+    expect(status()).toMatch(/\d m?s\b/)
+  })
 })

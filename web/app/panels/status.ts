@@ -4,11 +4,11 @@ import type { Store } from '../../editing/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
 
-/** Shorter times say more about what else the machine does. */
-const NOTICED = 0.05
+/** The times of fewer circles say more about what else the machine does. */
+const TIMED = 1000
 
 /** The status line: counts, computing time, and problems. */
-export function mountStatus(store: Store<State>): void {
+export function mountStatus(store: Store<State>, view: View): void {
   const status = byId('status', HTMLParagraphElement)
   const problem = byId('problem', HTMLParagraphElement)
 
@@ -56,7 +56,7 @@ function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>, are
     ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden'], 'rare'] as Part] : []),
     ...(fitted === undefined ? [] : [[['areas within ', bold(fitted.error.toExponential(0))], 'second'] as Part]),
     [[proven]],
-    ...(seconds < NOTICED ? [] : [[['computed in ', ...duration(seconds)], 'minor'] as Part]),
+    ...(counts.circles < TIMED ? [] : [[['computed in ', ...duration(seconds)], 'minor'] as Part]),
   ]
   const line = document.createElement('span')
   for (const [k, [content, rank]] of parts.entries()) {

@@ -48,6 +48,12 @@ interface OpenResult {
   readonly circles: Float64s | undefined
   readonly fitted: Fitted | undefined
   readonly colors: string | undefined
+  /** The computing time. */
+  readonly seconds: number
+}
+
+function secondsSince(start: number): number {
+  return (performance.now() - start) / 1000
 }
 
 /** The diagram of one view and the tiles already sent to it. */
@@ -88,9 +94,12 @@ export class PaintedScene {
       { length: circles.length / 3 },
       (_, i) => change.fit?.known?.get(kept?.ids[i] ?? i) ?? Number.NaN,
     )
+    const start = performance.now()
     const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
     const opened = fit?.diagram.circles ?? torus?.wrappedCircles(circles) ?? circles
-    const picture = new Picture(this.library.edit(opened, kept), clip, torus)
+    const editor = this.library.edit(opened, kept)
+    const seconds = secondsSince(start)
+    const picture = new Picture(editor, clip, torus)
     const { areSites } = this.picture
     const layers = this.#layers
     picture.areSites = change.areSites ?? areSites
@@ -107,6 +116,7 @@ export class PaintedScene {
       colors: picture.newColors(),
       circles: opened === circles ? undefined : opened.slice(),
       fitted: fit && { error: fit.error, steps: fit.steps },
+      seconds,
     }
   }
 
@@ -172,7 +182,7 @@ export class PaintedScene {
   #computePower({ computeComparison }: Comparison): void {
     const start = performance.now()
     this.picture.setPower(computeComparison(this.picture.diagram.circles, 'power'))
-    this.#powerSeconds = (performance.now() - start) / 1000
+    this.#powerSeconds = secondsSince(start)
   }
 
   /** Updates the power diagram after an edit if that is fast. Returns whether it was. */
@@ -217,7 +227,7 @@ export class PaintedScene {
     const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
     const result = found(this.picture, tolerance)
     this.#isFound = true
-    this.#findingSeconds = (performance.now() - start) / 1000
+    this.#findingSeconds = secondsSince(start)
     return result
   }
 
@@ -265,6 +275,7 @@ export class PaintedScene {
     found: GlobalResults | undefined
     fitted: Fitted | undefined
     colors: string | undefined
+    seconds: number
   } {
     const clip = this.#clipOf(domain, regions)
     const torus = this.#torusOf(domain, clip)
@@ -273,6 +284,7 @@ export class PaintedScene {
         ? { edits: this.#wrapped(asked, torus), fit: undefined }
         : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
     const change = this.picture.editor.apply(edits)
+    const seconds = secondsSince(start)
     const { areSites = this.picture.areSites, colors } = domain
     const isRepeatedOtherwise = torus !== this.picture.torus
     const isOtherwiseDrawn = areSites !== this.picture.areSites || colors !== undefined
@@ -294,6 +306,7 @@ export class PaintedScene {
       colors: this.picture.newColors(),
       fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
+      seconds,
     }
   }
 

@@ -60,7 +60,6 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
   }
   const scene = scenes.get(message.scene)
   if (scene === undefined) return
-  const start = performance.now()
   switch (message.kind) {
     case 'open':
       try {
@@ -73,7 +72,6 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
           revision: message.revision,
           counts: scene.counts(),
           ...opened,
-          seconds: secondsSince(start),
         })
         schedule()
         findAtRest()
@@ -87,7 +85,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
         return
       }
       try {
-        const { patches, boxes, change, found, fitted, colors } = scene.edit(
+        const { patches, boxes, change, found, fitted, colors, seconds } = scene.edit(
           message.edits,
           message,
           await regionsFor(message),
@@ -106,7 +104,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
             found,
             fitted,
             colors,
-            seconds: secondsSince(start),
+            seconds,
           },
           patches.map(({ image }) => image),
         )
@@ -183,10 +181,6 @@ function tellFound(number: number, scene: PaintedScene): void {
 function refuse(scene: number, revision: number, error: unknown): void {
   if (!(error instanceof CircleVoronoiError)) throw error
   post({ kind: 'refused', scene, revision, error: postedError(error) })
-}
-
-function secondsSince(start: number): number {
-  return (performance.now() - start) / 1000
 }
 
 function schedule(): void {
