@@ -84,6 +84,19 @@ describe('what is said', () => {
     page = await wholePage()
   })
 
+  it('is to screen readers once how many circles were opened, and not each step of an edit', async () => {
+    const heard: (string | null)[] = []
+    const hearing = new MutationObserver(() => heard.push(element('said').textContent))
+    hearing.observe(element('said'), { childList: true })
+    await page.open(FIVE)
+    await soon(() => expect(heard).toEqual([expect.stringContaining('5 ')]))
+    for (let r = 1; r < 4; r++) await page.actions.edit([{ kind: 'replace', id: 3, circle: [10, 9, r] }])
+    await new Promise((resolve) => setTimeout(resolve, 400))
+    hearing.disconnect()
+    expect(heard).toHaveLength(1)
+    expect(element('status').closest('[role=status], [aria-live]')).toBeNull()
+  })
+
   it('is how many circles, vertices, edges and hidden circles there are, and how right areas are', async () => {
     /** The numbers before the words about the proof. */
     const numbers = () => (status()?.split('✓')[0]?.match(/\d+/g) ?? []).map(Number)

@@ -96,7 +96,7 @@ store.subscribe(({ dataSet }) => generate.show(dataSet))
 mountToolbar(store, actions, generate.open)
 mountTrial(view, actions)
 mountViewControls(actions)
-mountStatus(store)
+mountStatus(store, view)
 mountProgress(actions)
 mountLegend(store, view)
 const fileActions = loadedOnce(async () => {
@@ -129,7 +129,7 @@ restoreInvalidNumbers(document)
 markTabbing()
 const editNumbers = mountInspector(store, actions)
 mountIdentity(store, editing, actions)
-mountInspectorFacts(store, editing, actions, view)
+mountInspectorFacts(store, editing, actions)
 mountInspectorShare(store, actions)
 const showHelp = () =>
   import('./panels/help.ts').then(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Remedy, State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
 
@@ -13,14 +14,17 @@ export function mountStatus(store: Store<State>, view: View): void {
   const problem = byId('problem', HTMLParagraphElement)
 
   let edited: State['edited']
+  let { circles } = view
   let shown = ''
   let offered: Remedy | undefined
 
   store.subscribe((state) => {
-    // Announces the counts after each change.
     if (state.edited !== edited && state.edited !== undefined) {
       status.replaceChildren(statusOf(state.edited, state.degrees !== undefined))
       edited = state.edited
+      // Edits are announced in other words.
+      if (view.circles !== circles) store.update((state) => ({ ...state, said: { text: status.textContent } }))
+      circles = view.circles
     }
     problem.hidden = state.problem === ''
     const remedy = state.problem !== '' && state.remedy?.problem === state.problem ? state.remedy : undefined

@@ -27,6 +27,7 @@ import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
 import { found } from './found.ts'
 import { boundsOf, type Frame, toleranceOf } from './frame.ts'
 import { frameOf } from './grid.ts'
+import { cellArea, cellPerimeter } from './measures.ts'
 import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { PaintContext } from './paint-context.ts'
@@ -279,6 +280,7 @@ export class PaintedScene {
   } {
     const clip = this.#clipOf(domain, regions)
     const torus = this.#torusOf(domain, clip)
+    const start = performance.now()
     const { edits, fit } =
       domain.fit === undefined
         ? { edits: this.#wrapped(asked, torus), fit: undefined }
@@ -295,7 +297,10 @@ export class PaintedScene {
     if (colors !== undefined) this.picture.recolor(colors)
     // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
-    const patches = isElsewhere ? [] : [...this.tiles.repaint(isAtOnce ? undefined : boxes), ...this.tiles.paintSeen()]
+    const { tiles } = this
+    const patches = isElsewhere
+      ? []
+      : [...tiles.release(), ...tiles.repaint(isAtOnce ? undefined : boxes), ...tiles.paintSeen()]
     if ((isEverywhere && !isAtOnce) || isElsewhere) this.tiles.restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
@@ -367,11 +372,11 @@ export class PaintedScene {
 
   /** The descriptions and outlines of the highlighted circles. */
   marks(): Highlights {
-    return { selected: this.#describe(this.#selected), hovered: this.#describe(this.#hovered) }
+    return { selected: this.#describe(this.#selected, true), hovered: this.#describe(this.#hovered, false) }
   }
 
-  #describe(id: number | undefined): Described | undefined {
-    const { diagram } = this.picture
+  #describe(id: number | undefined, isMeasured: boolean): Described | undefined {
+    const { diagram, limits } = this.picture
     const { circles, cells, hidden, numbers } = diagram
     const i = id === undefined ? -1 : diagram.indexOf(id)
     if (id === undefined || i < 0) return undefined
@@ -387,6 +392,9 @@ export class PaintedScene {
       color: this.tiles.viewport && this.picture.palette(this.tiles.viewport.style)[this.picture.colorOf(i)],
       hiddenBy,
       isBounded: cells.isBounded(i),
+      size: isMeasured
+        ? { area: cellArea(diagram, i, limits), perimeter: cellPerimeter(diagram, i, limits) }
+        : undefined,
       neighbors: Int32Array.from(leastFirst([...new Set(neighbors.map(idOf))])),
       outline: this.outlineOf([i]),
       neighborhood: this.outlineOf(whole.length > MOST_NEIGHBORS ? [] : whole),

@@ -131,6 +131,10 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     case 'layers':
       scene.setLayers(message.layers, message.isPainted)
+      // A layer limits cells.
+      if (message.isPainted && scene.isAnythingMarked) {
+        post({ kind: 'outlined', scene: message.scene, marks: scene.marks() })
+      }
       tellFound(message.scene, scene)
       return
     case 'mark':
@@ -196,8 +200,7 @@ function paintSlice(): void {
     const patches: Patch[] = []
     try {
       while (scene.tiles.isWaiting && performance.now() < end) {
-        const patch = scene.tiles.paintNext()
-        if (patch !== undefined) patches.push(patch)
+        patches.push(...scene.tiles.paintNext())
       }
     } catch (error) {
       fail(error, { scene: number, kind: 'paint' })
