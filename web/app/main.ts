@@ -115,10 +115,8 @@ mountSay(store, async (file) => {
   await opening?.openFile(file)
 })
 const motion = loadedOnce(async () => {
-  const [{ Motion }, { listenToStop }] = await Promise.all([import('./motion/motion.ts'), import('./motion/stop.ts')])
-  const motion = new Motion(view, editing, actions)
-  listenToStop(motion, store)
-  return motion
+  const { stoppableMotion } = await import('./motion/stop.ts')
+  return stoppableMotion(view, editing, actions, store)
 })
 const pen = new RegionPen(store, actions, view)
 actions.pen = pen

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import type { View } from '../../view/view.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from '../panels/by-id.ts'
 import { showStop } from '../panels/stop.ts'
-import type { Motion } from './motion.ts'
+import { Motion } from './motion.ts'
 
-/** Stops an animation by the button on the picture, by Escape, or when a method is played. */
-export function listenToStop(motion: Motion, store: Store<State>): void {
+/** Animations that are stopped by the button on the picture, by Escape, or when a method is played. */
+export function stoppableMotion(view: View, editing: Editing, actions: PageActions, store: Store<State>): Motion {
+  const motion = new Motion(view, editing, actions)
   const tool = document.querySelector('[aria-controls="motion"]') as HTMLElement
   motion.onchange(() => {
     showStop(motion.isMoving)
@@ -23,4 +27,5 @@ export function listenToStop(motion: Motion, store: Store<State>): void {
     motion.stop()
   }
   document.addEventListener('keydown', stopByKey, { capture: true })
+  return motion
 }
