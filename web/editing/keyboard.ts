@@ -139,7 +139,7 @@ export function listenToKeyboard(
     }
   }
 
-  /** Shortcuts that work wherever the focus is. Those with letters would disturb speech input there. */
+  /** Shortcuts that work wherever the focus is. Letters would disturb speech input there. */
   const actionOf = ({ key, target }: KeyboardEvent): (() => void) | undefined => {
     if (target === figure) return undefined
     if (key === 'Escape') return () => actions.release()

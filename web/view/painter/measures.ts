@@ -20,7 +20,7 @@ const SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
 /** Numbers of neighbors with a color each. */
 const DEGREES = [4, 5, 6, 7, 8]
 
-/** What limits cells: the region of a scene, and a distance from their circles. */
+/** The limits of cells: the region of a scene, and a distance from their circles. */
 export interface CellLimits {
   readonly clip?: Clip | undefined
   readonly maxDistance?: number | undefined

@@ -195,7 +195,7 @@ export class Picture {
     this.#limitsChange()
   }
 
-  /** What limits the cells. */
+  /** The limits of the cells. */
   get limits(): CellLimits {
     return { clip: this.#clip, maxDistance: this.#layers.maxDistance }
   }
