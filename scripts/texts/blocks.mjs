@@ -89,7 +89,8 @@ ${asked(spec, inline)}`
 <p class="title">Try it</p>
 <p id="${name}-ask">${inline(ask)}</p>
 <figure id="${name}">
-${element(spec)}
+<div class="numbered">${element(spec)}</div>
+<div class="drive"><p class="now"></p><button type="button" class="undo">Undo</button><button type="button" class="reset">Reset</button></div>
 <figcaption><output data-done="Well done."></output> ${links(spec, inline)}</figcaption>
 </figure>
 ${help(spec, inline, `<button type="button" class="show" data-circles="${escaped(JSON.stringify(solution))}">Show me</button>`)}</div>

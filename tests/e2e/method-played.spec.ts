@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Playback of the method on the page's circles.
-import { decodeLink } from '../../web/lib/link.ts'
+import type { Page } from '@playwright/test'
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { soon } from '../soon.ts'
 import { violationsOf } from './accessibility.ts'
 import { type App, expect, test } from './page.ts'
@@ -72,6 +73,43 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   }, link)
   await expect(sentence).toHaveText(/ \d+ samples lie/)
   await expect(app.status).toContainText('14 circles')
+})
+
+/** The boxes and styles of the parts of the player while it asks a question. Colors of paper and of menus differ. */
+async function lookOf(page: Page) {
+  const player = page.locator('.cv-player')
+  await player.getByRole('button', { name: /^Quiz/ }).click()
+  const answers = player.getByRole('group', { name: 'What happens next?' }).getByRole('button')
+  await soon(async () => {
+    if ((await answers.count()) === 0) await player.getByRole('button', { name: 'Next step', exact: true }).click()
+    return answers.count()
+  }).toBeGreaterThan(1)
+  await page.mouse.move(0, 0)
+  return player.evaluate((root) => {
+    const { left, top } = (root.querySelector('.head') as Element).getBoundingClientRect()
+    return [...root.querySelectorAll('.head, .head *:not(option, svg *), .ring, .ring *')].map((part) => {
+      const box = part.getBoundingClientRect()
+      const style = getComputedStyle(part)
+      const names = [...style].filter((name) => !/color|^--|background/.test(name))
+      return [
+        `${part.localName} ${part.getAttribute('class')}`,
+        ...[box.left - left, part.closest('.head') && box.top - top, box.width, box.height].map((n) => n?.toFixed(1)),
+        ...names.map((name) => `${name}: ${style.getPropertyValue(name)}`),
+      ]
+    })
+  })
+}
+
+test('looks the same in the page and in a frame', async ({ app, context }) => {
+  const circles = Float64Array.of(0, 0, 2, 20, 0, 3, 20, 20, 1, 10, 9, 2, 0, 20, 4)
+  const link = await encodeLink({ circles, step: 9 })
+  await app.open(link)
+  const look = await lookOf(app.page)
+  const width = await app.page.locator('.cv-player').evaluate((player) => player.getBoundingClientRect().width)
+  const frame = await context.newPage()
+  await frame.setViewportSize({ width, height: 900 })
+  await frame.goto(`/embed.html#${link}`)
+  expect(await lookOf(frame)).toEqual(look)
 })
 
 test.describe('on a phone', () => {

@@ -136,8 +136,11 @@ async function reach(page: Page): Promise<void> {
     await section.getByText('Answer', { exact: true }).click()
     await section.getByRole('button', { name: 'Show me' }).click()
     await expect(output).toHaveText('Well done.')
-    await section.getByRole('application').focus()
-    await page.keyboard.press('Control+z')
+    await section.getByRole('button', { name: 'Undo' }).click()
+    await expect(output).toHaveText('')
+    await section.getByRole('button', { name: 'Show me' }).click()
+    await expect(output).toHaveText('Well done.')
+    await section.getByRole('button', { name: 'Reset' }).click()
     await expect(output).toHaveText('')
   }
 }

@@ -3,6 +3,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, expect, it, vi } from 'vitest'
 import { turnCones } from '../../web/tutorial/cones.ts'
+import { paintCones } from '../../web/tutorial/drawn/paint-cones.ts'
 import { make, send } from './page-document.ts'
 
 /** The pixels of each drawing. */
@@ -105,4 +106,71 @@ it('cones are turned by the sliders, and by a drag with the pointer once around'
   expect([outputs[1]?.value, draw().length]).toEqual(['-170°', 1])
   expect(move(50, 0)).toEqual([48.4, 170])
   expect(spin.valueAsNumber).toBeCloseTo(170)
+})
+
+it('each pixel shows the cone that its ray meets first, in the color of the cone and never white', () => {
+  const CONES = [
+    [-4.6, 1.4, 2.2],
+    [1.2, 2.6, 1.2],
+    [5.6, -0.4, 1.9],
+    [0.3, -2.2, 1.5],
+    [-3.6, -3.4, 0.6],
+    [4.4, 4.2, 0.5],
+  ] as const
+  const [columns, rows, span] = [64, 40, 20]
+  const colorAt = (pixels: Uint8ClampedArray, k: number) => [...pixels.slice(4 * k, 4 * k + 3)]
+  // Each cone alone, from above: its color, and the paler one below the ground.
+  const palette = CONES.flatMap((_, i) => {
+    const circles = CONES.map(([x, y, r], j): number[] => (i === j ? [0, 0, 5] : [x, y, r - 100]))
+    const seen = paintCones(circles, [0, 0, span], { tilt: 90, turn: 0 }, columns, rows)
+    return [colorAt(seen, 0), colorAt(seen, columns * 20 + 32)]
+  })
+  /** The number of a color whatever the light on it, or -1. */
+  const partOf = (color: number[]) => {
+    const likeness = palette.map((own) => {
+      const product = own.reduce((sum, value, c) => sum + value * (color[c] as number), 0)
+      return product / Math.hypot(...own) / Math.hypot(...color)
+    })
+    const best = Math.max(...likeness)
+    return best > 0.9995 ? likeness.indexOf(best) : -1
+  }
+  for (const [tilt, turn] of [
+    [34, -42],
+    [0, 100],
+    [45, 170],
+    [62, -90],
+    [90, 20],
+  ] as const) {
+    const pixels = paintCones(CONES, [0, 0.6, span], { tilt, turn }, columns, rows)
+    const [sin, cos] = [Math.sin((tilt * Math.PI) / 180), Math.cos((tilt * Math.PI) / 180)]
+    const [turnX, turnY] = [Math.cos((turn * Math.PI) / 180), Math.sin((turn * Math.PI) / 180)]
+    const placed = CONES.map(([x, y, r]) => [x * turnX - (y - 0.6) * turnY, x * turnY + (y - 0.6) * turnX, r] as const)
+    const partAlong = (u: number, s: number) => {
+      for (let t = -30; t < 60; t += 0.1) {
+        const [v, z] = [s * sin + t * cos, s * cos - t * sin]
+        const i = placed.findIndex(([cu, cv, r]) => z <= r - Math.hypot(u - cu, v - cv))
+        if (i >= 0) return 2 * i + (z >= 0 ? 1 : 0)
+      }
+      return undefined
+    }
+    let compared = 0
+    for (let k = 0; k < columns * rows; k += 31) {
+      const [column, row] = [k % columns, Math.floor(k / columns)]
+      const [u, s] = [
+        ((column + 0.5 - columns / 2) * span) / columns,
+        ((rows / 2 - row - 0.5) * span) / columns - (0.35 * cos * span * rows) / columns / 2,
+      ]
+      const part = partAlong(u, s)
+      const isNear = [-0.5, 0.5].some((d) => partAlong(u + d, s) !== part || partAlong(u, s + d) !== part)
+      if (isNear || pixels[4 * k + 3] === 0) {
+        if (!isNear) expect([tilt, turn, k, part]).toEqual([tilt, turn, k, undefined])
+        continue
+      }
+      const color = colorAt(pixels, k)
+      expect([tilt, turn, k, partOf(color)]).toEqual([tilt, turn, k, part])
+      expect(Math.max(...color)).toBeLessThan(255)
+      compared += 1
+    }
+    expect(compared).toBeGreaterThan(20)
+  }
 })

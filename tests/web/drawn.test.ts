@@ -12,7 +12,6 @@ import { seenFromLargest } from '../../web/tutorial/drawn/globe-plane.ts'
 import { frontOf, grow, tellMoment } from '../../web/tutorial/drawn/growing.ts'
 import { KINDS, type KindName } from '../../web/tutorial/drawn/kinds.ts'
 import { stepsOf } from '../../web/tutorial/drawn/newton.ts'
-import { paintCones } from '../../web/tutorial/drawn/paint-cones.ts'
 import { coordinatesOf, distance, nearest, Pen, type Scene } from '../../web/tutorial/drawn/scene.ts'
 import { distanceTo } from '../../web/tutorial/drawn/sphere.ts'
 import { panelsOf, THREE_SHARES } from '../../web/tutorial/drawn/weight-plane.ts'
@@ -326,39 +325,6 @@ describe('given areas', () => {
     expect(inside.length).toBeGreaterThan(0)
     expect(told(2)).toContain(`${inside.length === 1 ? 'Town' : 'Towns'} ${inside.join(' and ')} serve`)
   })
-})
-
-test('cones seen from above are the diagram', () => {
-  const { circles = [], view = [0, 0, 1] } = specOf('cones')
-  const [width, height] = [80, 50]
-  const pixels = paintCones(circles, view, { tilt: 90, turn: 0 }, width, height)
-  const colors = [
-    [63, 127, 191],
-    [224, 160, 48],
-    [60, 154, 124],
-    [201, 104, 143],
-    [107, 102, 184],
-    [217, 104, 60],
-  ]
-  const list = circles.map(([x = 0, y = 0, r = 0]) => ({ x, y, r }))
-  const random = seededRandom(3)
-  let compared = 0
-  for (let n = 0; n < 400; n++) {
-    const [column, row] = [Math.floor(width * random()), Math.floor(height * random())]
-    const scale = width / view[2]
-    const at = { x: view[0] + (column + 0.5 - width / 2) / scale, y: view[1] - (row + 0.5 - height / 2) / scale }
-    const i = nearest(list, at)
-    const sorted = list.map((circle) => distance(circle, at)).sort((one, other) => one - other)
-    // Next to a border or a rim, the pixel may belong to a line.
-    if ((sorted[1] as number) - (sorted[0] as number) < 1 || Math.abs(sorted[0] as number) < 0.5) continue
-    const k = 4 * (row * width + column)
-    const white = (sorted[0] as number) <= 0 ? 0 : 0.62
-    for (const [c, value] of (colors[i] as number[]).entries()) {
-      expect(Math.abs((pixels[k + c] as number) - (value * (1 - white) + 250 * white))).toBeLessThan(25)
-    }
-    compared += 1
-  }
-  expect(compared).toBeGreaterThan(50)
 })
 
 test('shrunken rims are the rims on which samples lie', () => {

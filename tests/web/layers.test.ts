@@ -239,6 +239,36 @@ describe('what cells are measured by', () => {
     expect(picture.legend?.measure).toBe('filled')
   })
 
+  it('is that of the cell that a distance and a region limit, everywhere', async () => {
+    const circles = randomCircles(60)
+    const picture = new Picture(library.edit(circles))
+    const region = (await loadRegions()).region([box(-20, -20, 40, 60)])
+    const everywhere = () => {
+      picture.layers = { ...DEFAULT_LAYERS, cells: 'area', maxDistance: 1.5 }
+      const ids = Int32Array.from({ length: 60 }, (_, i) => i)
+      const options = { maxDistance: 1.5, ...(picture.clip && { region }) }
+      const areas = picture.diagram.cellAreas(options)
+      const there = [...ids].filter((i) => picture.diagram.cells.exists(i))
+      const { cells } = factsOf(picture, { circles: 60, hidden: 0, vertices: 0, edges: 0 }, there)
+      const [column] = tabulated(picture, ['area'], ids).columns
+      for (const i of there) {
+        for (const area of [column?.[i], cells.get(i)?.area]) expect(area).toBeCloseTo(areas[i] as number, 9)
+        expect(cells.get(i)?.perimeter).toBeCloseTo(picture.diagram.cellPerimeter(i, options), 9)
+        expect(picture.colorOf(i)).not.toBe(-1)
+      }
+      expect(picture.legend?.knots.at(-1)).toBeLessThanOrEqual(Math.max(...areas))
+      const steps = distributionOf(picture)
+      let step = steps.next()
+      while (step.done !== true) step = steps.next()
+      expect(step.value.areas.reduce((sum, count) => sum + count)).toBe(there.length)
+    }
+    everywhere()
+    picture.clip = new Clip(library, region)
+    everywhere()
+    picture.layers = { ...DEFAULT_LAYERS, cells: 'area' }
+    expect(picture.areas().valueOf(0)).toBeCloseTo(picture.diagram.cellArea(0, { region }), 9)
+  })
+
   it('changes nowhere but in the boxes that are painted anew', () => {
     for (const cells of ['area', 'filled', 'degree', 'gap', 'different'] as const) {
       const picture = new Picture(library.edit(randomCircles(120)))

@@ -71,7 +71,13 @@ it.each([
   ['an action that ends the selection at once', 'describe 3 2; wait 900; say A none', ['3 2', 'A']],
   ['the last of two actions with its circle', 'say A; wait 100; say B 3; wait 900; describe 3 2', ['B 2']],
   ['actions that follow each other once they have ended', 'say A; wait 249; say B; wait 249; say C', ['C']],
-  ['no drag of the described circle', 'describe 3 2; wait 900; describe 3 4', ['3 2']],
+  [
+    'a drag of the described circle at its end',
+    'describe 3 2; wait 900; describe 3 4; wait 99; describe 3 5',
+    ['3 2', '3 5'],
+  ],
+  ['a drag that begins at once as it ends', 'select 3; describe 3 2; wait 99; describe 3 5', ['3 5']],
+  ['no drag that changes nothing', 'describe 3 2; wait 900; describe 3 4; wait 99; describe 3 2', ['3 2']],
 ])('screen readers hear %s', (_, script, expected) => {
   expect(announced(script)).toEqual(expected)
 })

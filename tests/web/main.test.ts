@@ -3,9 +3,9 @@
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { decodeLink } from '../../web/lib/link.ts'
-import { element, send, textOf } from './page-document.ts'
+import { buttonOf, element, press, send, textOf } from './page-document.ts'
 import { box } from './shapes.ts'
-import { FIVE, quiet, soon, wholePage } from './whole-page.ts'
+import { entered, FIVE, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
 const status = () => textOf(element('status'))
@@ -45,9 +45,56 @@ describe('the first scene', () => {
   })
 })
 
+describe('circles that move by themselves', () => {
+  const radii = () => [0, 1, 2, 3, 4].map((id) => page.circle(id)?.r)
+  const stop = () => element<HTMLButtonElement>('stop')
+  const started = async () => {
+    const panel = await page.panel('motion')
+    await entered(panel, 'Breathe', 'on')
+    press(panel, 'Play')
+    await soon(() => expect(radii()).not.toEqual([2, 3, 1, 2, 4]))
+    press(panel, 'Close')
+    expect([stop().hidden, buttonOf('motion').ariaPressed]).toEqual([false, 'true'])
+  }
+  beforeAll(async () => {
+    page = await wholePage()
+  })
+  beforeEach(() => page.open(FIVE))
+
+  it.each<[string, () => unknown, boolean]>([
+    ['the button on the picture', () => stop().click(), false],
+    ['Escape anywhere', () => send(buttonOf('files'), 'keydown', { key: 'Escape' }), false],
+    ['undo, which brings them back', () => element('undo').click(), true],
+    ['a method that is played', () => page.actions.showStep(0), false],
+  ])('are stopped by %s', async (_, act, areBack) => {
+    await started()
+    act()
+    await soon(() => expect(stop().hidden).toBe(true))
+    await quiet()
+    const now = radii()
+    await quiet()
+    expect([radii(), buttonOf('motion').ariaPressed]).toEqual([now, null])
+    if (areBack) expect(now).toEqual([2, 3, 1, 2, 4])
+    page.actions.showStep(undefined)
+  })
+})
+
 describe('what is said', () => {
   beforeAll(async () => {
     page = await wholePage()
+  })
+
+  it('is to screen readers once how many circles were opened, and not each step of an edit', async () => {
+    const heard: (string | null)[] = []
+    const hearing = new MutationObserver(() => heard.push(element('said').textContent))
+    hearing.observe(element('said'), { childList: true })
+    await page.open(FIVE)
+    await soon(() => expect(heard).toEqual([expect.stringContaining('5 ')]))
+    for (let r = 1; r < 4; r++) await page.actions.edit([{ kind: 'replace', id: 3, circle: [10, 9, r] }])
+    await new Promise((resolve) => setTimeout(resolve, 400))
+    hearing.disconnect()
+    expect(heard).toHaveLength(1)
+    expect(element('status').closest('[role=status], [aria-live]')).toBeNull()
   })
 
   it('is how many circles, vertices, edges and hidden circles there are, and how right areas are', async () => {
@@ -61,5 +108,13 @@ describe('what is said', () => {
     await page.actions.setDomain({ region: [box(-9, -9, 30, 30)], areas: 'equal' })
     await quiet()
     expect(status()).toMatch(/ \de-\d+ /)
+  })
+
+  it('is how long a thousand circles or more took, which fewer circles do not tell', async () => {
+    const circles = Float64Array.from({ length: 3000 }, (_, k) => (k % 3 === 2 ? 0.1 : (k * 7919) % 1009))
+    await page.open(circles.slice(3))
+    expect(status()).not.toMatch(/\d m?s\b/)
+    await page.open(circles)
+    expect(status()).toMatch(/\d m?s\b/)
   })
 })

@@ -73,17 +73,25 @@ describe('an animation', () => {
     expect(late).toBeCloseTo((1 - Math.cos((2 * Math.PI * 0.05) / 10)) / 2, 12)
   })
 
-  it('ends where other circles are opened, and skips circles that are deleted', async () => {
-    const { motion, editing, radii } = await started()
+  it.each<[string, (session: Awaited<ReturnType<typeof started>>) => Promise<unknown>, number[]]>([
+    ['other circles are opened', ({ editing }) => editing.open(sceneOf(Float64Array.of(0, 0, 3))), [3]],
+    [
+      'a circle is edited',
+      ({ editing }) => editing.edit([{ kind: 'replace', id: 0, circle: [0, 0, 7] }]),
+      [7, expect.any(Number)],
+    ],
+    ['it is undone, and everything is as before', ({ actions }) => actions.undo(), [1, 2]],
+  ])('ends where %s', async (_, act, expected) => {
+    const session = await started()
+    const { motion, radii } = session
     motion.start('grow')
-    await show(0)
-    await editing.edit([{ kind: 'remove', id: 0 }])
-    await show(50)
-    expect([motion.isMoving, radii().length]).toEqual([true, 1])
-    await editing.open(sceneOf(Float64Array.of(0, 0, 3)))
-    await show(100)
-    await show(150)
-    expect([motion.isMoving, radii()]).toEqual([false, [3]])
+    for (let now = 0; now < 200; now += 50) await show(now)
+    // A frame comes before the edit is done.
+    const acted = act(session)
+    await show(250)
+    await acted
+    for (let now = 300; now < 500; now += 50) await show(now)
+    expect([motion.isMoving, radii()]).toEqual([false, expected])
   })
 
   it('of no circles does nothing, and of too many is refused', async () => {
@@ -104,6 +112,12 @@ describe('an animation', () => {
 })
 
 describe('a video', () => {
+  it('that the browser does not record ends its stream', async () => {
+    recorder([])
+    await expect(filmed(stream, 3)).rejects.toThrow()
+    expect(stopped).toEqual(['track 1', 'track 2'])
+  })
+
   const stopped: string[] = []
   const tracks = [1, 2].map((track) => ({ stop: () => stopped.push(`track ${track}`) }))
   const stream = Object.assign(new EventTarget(), { getTracks: () => tracks }) as EventTarget as MediaStream

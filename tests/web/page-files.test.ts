@@ -5,7 +5,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { choose, control, element, textOf } from './page-document.ts'
+import { choose, control, element, send, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
 import { ThreadHere } from './page-threads.ts'
 import { box } from './shapes.ts'
@@ -72,6 +72,21 @@ describe('a file', () => {
     await soon(() => expect(problem()).toContain('l.csv'))
     expect(circles()).toEqual([...FIVE])
   })
+})
+
+it('a folder is named in the problem, and the second of two files that are dropped is not forgotten', async () => {
+  const drop = async (...files: File[]) => {
+    send(document, 'drop', { dataTransfer: { files, getData: () => '' } })
+    await quiet()
+  }
+  const refuse = () => Promise.reject(new DOMException('A folder', 'NotFoundError'))
+  const folder = Object.assign(new File([], 'folder'), { text: refuse, arrayBuffer: refuse })
+  await drop(Object.assign(folder, { slice: () => folder }))
+  await soon(() => expect(problem()).toContain('folder'))
+  expect(circles()).toEqual([...FIVE])
+  await drop(new File(['1,2,3\n'], 'a.csv'), new File(['4,5,6\n'], 'b.csv'))
+  await soon(() => expect(circles()).toEqual([1, 2, 3]))
+  await soon(() => expect(toast()).toContain('a.csv'))
 })
 
 describe('the dialog for columns', () => {

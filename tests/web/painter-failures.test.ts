@@ -109,7 +109,6 @@ function doIt(one: SceneClient, action: Action): Promise<unknown> | undefined {
 const listener = (failures: unknown[]): PictureEvents => ({
   painted() {},
   marked() {},
-  outlined() {},
   found() {},
   failed: (failure) => failures.push(failure),
 })

@@ -15,7 +15,7 @@ describe('tiles', () => {
   const style = {} as Style
   const paintAll = (tiles: Tiles) => {
     const boxes: PixelBox[] = []
-    for (let patch = tiles.paintNext(); patch !== undefined; patch = tiles.paintNext()) boxes.push(patch.box)
+    while (tiles.isWaiting) boxes.push(...tiles.paintNext().map(({ box }) => box))
     return boxes
   }
   beforeEach(() => vi.stubGlobal('OffscreenCanvas', Canvas))
@@ -36,6 +36,30 @@ describe('tiles', () => {
       return paintAll(tiles).length
     })
     expect(counts).toEqual([4, 0, 4, 4])
+  })
+
+  it('of another picture are shown once all visible ones are painted, and of the first one at once', () => {
+    const tiles = new Tiles(() => {})
+    const seen = { left: 256, top: 256, width: 512, height: 256 }
+    const grid = { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }
+    const wanted = { left: 0, top: 0, width: 1024, height: 768 }
+    tiles.turnTo({ paintId: 1, grid, seen, wanted, style })
+    /** The number of tiles that each step shows. */
+    const shown = () => {
+      const counts: number[] = []
+      while (tiles.isWaiting) counts.push(tiles.paintNext().length)
+      return counts
+    }
+    expect(shown()).toEqual(Array(12).fill(1))
+    tiles.restart()
+    expect(shown()).toEqual([0, 2, ...Array(10).fill(1)])
+    // An edit shows all at once, and another grid has nothing to keep.
+    tiles.restart()
+    tiles.paintNext()
+    expect([tiles.release().length, tiles.paintSeen().length]).toEqual([1, 1])
+    tiles.restart()
+    tiles.turnTo({ paintId: 2, grid: { ...grid, id: 2 }, seen, wanted, style })
+    expect(shown()).toEqual(Array(12).fill(1))
   })
 
   it.each([1, 2])(

@@ -52,6 +52,26 @@ describe('areas', () => {
     await quiet()
     expect(chosenOf(control(panel, AREAS)), 'the choice is known again').toBe(label)
   })
+
+  it('leave no radii of circles that were opened before', async () => {
+    await setRegion()
+    await entered(panel, AREAS, 'equal')
+    await page.actions.open(async () => ({
+      circles: Float64Array.of(0, 0, 7, 20, 9, 8),
+      dataSet: '',
+      isEdited: false,
+      domain: { region: [SQUARE], areas: 'equal' },
+    }))
+    await quiet()
+    const fitted = [page.circle(0)?.r, page.circle(1)?.r]
+    await entered(panel, AREAS, 'free')
+    expect([page.circle(0)?.r, page.circle(1)?.r]).toEqual(fitted)
+    await page.actions.undo()
+    await page.actions.undo()
+    await quiet()
+    await entered(panel, AREAS, 'free')
+    expect(radii()).toEqual([2, 3, 1, 2, 4])
+  })
 })
 
 describe('the share of the selected cell', () => {

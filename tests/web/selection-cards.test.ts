@@ -55,6 +55,22 @@ describe('the card of the selected circle', () => {
     expect(control(card(), label).value).toBe(String({ x: 10, y: 9, r: 2 }[label as 'x']))
   })
 
+  it('never shows the cell of one circle beside the numbers of another', async () => {
+    const cell = () =>
+      [element('inspector-cell'), element('inspector-facts'), element('inspector-neighbors')].map(textOf)
+    await select(0)
+    const ofFirst = cell()
+    await select(3)
+    expect(cell()).not.toEqual(ofFirst)
+    page.actions.select([0])
+    for (let frame = 0; frame < 200 && cell()[0] !== ofFirst[0]; frame++) {
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+      const isOfFirst = card().classList.contains('awaiting') || cell().join() === ofFirst.join()
+      expect([control(card(), 'x').value, isOfFirst]).toEqual(['0', true])
+    }
+    expect(cell()).toEqual(ofFirst)
+  })
+
   it('has at most 500 neighbors', async () => {
     const around = (count: number) => {
       const angles = Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count)

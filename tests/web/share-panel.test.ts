@@ -47,6 +47,26 @@ describe('the panel Share', () => {
     expect(control(panel, 'Record a clip').disabled).toBe(false)
     expect(page.editing.circles.circles()).toEqual(FIVE)
   })
+
+  it('leaves circles and undo as they were where the browser stops recording', async () => {
+    class Recorder {
+      static isTypeSupported = () => true
+      onerror = () => {}
+      start() {
+        setTimeout(() => this.onerror(), 100)
+      }
+      stop() {}
+    }
+    Object.assign(globalThis, { MediaRecorder: Recorder })
+    await page.actions.edit([{ kind: 'replace', id: 0, circle: [0, 0, 1] }])
+    const { done } = page.store.get().history
+    await pressed(panel, 'Record a clip')
+    await soon(() => expect(control(panel, 'Record a clip').disabled).toBe(false))
+    await quiet()
+    expect([page.circle(0), page.circle(1)?.r]).toEqual([{ x: 0, y: 0, r: 1 }, 3])
+    expect(page.store.get().history.done).toHaveLength(done.length)
+    Reflect.deleteProperty(globalThis, 'MediaRecorder')
+  })
 })
 
 describe('the form for a question', () => {

@@ -33,7 +33,9 @@ it('a drawing without one of its circles is refused', () => {
 it('a drawing has its link or its table back, whatever they contain', () => {
   const svg = '<svg xmlns="http://www.w3.org/2000/svg">\n<g/>\n</svg>\n'
   expect(circlesOfSvg(withLink(svg, 'v1.a-b_c'), 'a.svg')).toEqual({ link: 'v1.a-b_c' })
-  const csv = "x,y,r\n1,2,$&$'3\n"
-  expect(tableOfSvg(withTable(svg, csv))).toBe(csv)
+  const csv = 'x,y,r,name\n1,2,3,"$&$\'<a>&#38; &amp; b"\n'
+  const drawing = withTable(svg, csv)
+  expect(tableOfSvg(drawing)).toBe(csv)
+  expect(drawing).not.toMatch(/<a>|&(?!#\d+;)/)
   expect([tableOfSvg(svg), tableOfSvg(withLink(svg, 'v1.a'))]).toEqual([undefined, undefined])
 })

@@ -124,6 +124,15 @@ describe('the cells of the table of circles', () => {
   })
 })
 
+it('measures are there again after a question that was refused', async () => {
+  const asking = vi.spyOn(page.view, 'ask').mockRejectedValueOnce(new Error('refused'))
+  await page.actions.edit([{ kind: 'replace', id: 0, circle: [0, 8, 1] }])
+  await quiet()
+  await page.actions.edit([{ kind: 'remove', id: 3 }])
+  await soon(() => expect(texts('nbrs')).toEqual(['2', '2', '2']))
+  asking.mockRestore()
+})
+
 describe('the rows of the table', () => {
   it.each([
     ['#', [3, 2, 1, 0], [0, 1, 2, 3]],

@@ -7,6 +7,7 @@ import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
 import { distanceFrom } from '../../web/lib/base/metric.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/index.ts'
 import { countSamples, sentenceOf } from '../../web/tutorial/count-samples.ts'
+import { goalSentence, goalsOf } from '../../web/tutorial/goals.ts'
 import { compare, loadPrintedRules, RULES, type Rule, sentenceOf as whatOf } from '../../web/tutorial/printed-rules.ts'
 import { layersFrom } from '../../web/view/layers.ts'
 import { factsOf } from '../../web/view/painter/facts.ts'
@@ -30,7 +31,9 @@ describe('what is to be reached', () => {
           vertices: vertices.length / 3,
           edges: edges.length / 4,
         }
-        const facts = factsOf({ diagram, clip: undefined }, counts, idsOf(asked))
+        const facts = factsOf({ diagram, limits: {} }, counts, idsOf(asked))
+        // The reader is told a number with each goal.
+        expect(goalSentence(goalsOf(asked, facts))).toMatch(/ (\d|∞).* (\d|∞)/)
         return holds(asked, facts)
       }
       expect(isSo(circles as number[][])).toBe(false)

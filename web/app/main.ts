@@ -96,7 +96,7 @@ store.subscribe(({ dataSet }) => generate.show(dataSet))
 mountToolbar(store, actions, generate.open)
 mountTrial(view, actions)
 mountViewControls(actions)
-mountStatus(store)
+mountStatus(store, view)
 mountProgress(actions)
 mountLegend(store, view)
 const fileActions = loadedOnce(async () => {
@@ -115,8 +115,8 @@ mountSay(store, async (file) => {
   await opening?.openFile(file)
 })
 const motion = loadedOnce(async () => {
-  const { Motion } = await import('./motion/motion.ts')
-  return new Motion(view, editing, actions)
+  const { stoppableMotion } = await import('./motion/stop.ts')
+  return stoppableMotion(view, editing, actions, store)
 })
 const pen = new RegionPen(store, actions, view)
 actions.pen = pen
@@ -127,7 +127,7 @@ restoreInvalidNumbers(document)
 markTabbing()
 const editNumbers = mountInspector(store, actions)
 mountIdentity(store, editing, actions)
-mountInspectorFacts(store, editing, actions, view)
+mountInspectorFacts(store, editing, actions)
 mountInspectorShare(store, actions)
 const showHelp = () =>
   import('./panels/help.ts').then(

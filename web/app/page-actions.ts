@@ -60,8 +60,6 @@ export class PageActions extends EditorActions {
   pen: RegionPen | undefined
   /** The title, question and check of the last opened link; `undefined` if it had none. */
   frame: LinkFrame | undefined
-  /** The radii before areas were prescribed, by id. */
-  readonly #radii = new Map<number, number>()
 
   draw(how: SketchPhase, point: Point, within: number): void {
     this.pen?.draw(how, point, within)
@@ -92,12 +90,10 @@ export class PageActions extends EditorActions {
   /** Prescribes areas; `undefined` restores the former radii. */
   async setAreas(areas: Areas | undefined, gesture?: number): Promise<Edited | undefined> {
     const { circles, domain } = this.editing
-    const all = Array.from(circles.ids(), (id) => ({ id, circle: circles.get(id) as Circle }))
-    if (areas !== undefined && domain.areas === undefined) {
-      this.#radii.clear()
-      for (const { id, circle } of all) this.#radii.set(id, circle.r)
-    }
-    return this.setDomain({ areas }, gesture, areas === undefined ? this.#withRadii() : [])
+    const known: number[] = []
+    for (const id of circles.ids()) known[id] = (circles.get(id) as Circle).r
+    const radii = domain.areas === undefined ? known : domain.radii
+    return this.setDomain({ areas, radii }, gesture, areas === undefined ? this.#withRadii() : [])
   }
 
   /** Edits that give circles the radii again that they had before areas. */
@@ -211,7 +207,7 @@ export class PageActions extends EditorActions {
   radii(): number[] {
     const { circles, domain } = this.editing
     return Array.from(circles.ids(), (id) => {
-      const known = domain.areas === undefined ? undefined : this.#radii.get(id)
+      const known = domain.areas === undefined ? undefined : domain.radii?.[id]
       return known ?? (circles.get(id) as Circle).r
     })
   }

@@ -54,6 +54,15 @@ export function listenToKeyboard(
   // A held key is one gesture.
   let gesture = 0
 
+  const letters: { readonly [key: string]: (() => void) | undefined } = {
+    '?': showHelp,
+    v: () => actions.useTool('select'),
+    h: () => actions.useTool('pan'),
+    a: () => actions.useTool('add'),
+    s: () => actions.toggleSnapping(),
+    p: drawRegion,
+  }
+
   const onFigureKey = (event: KeyboardEvent): boolean => {
     const { selection, tool } = store.get()
     const hasSelection = selection.length > 0
@@ -104,8 +113,11 @@ export function listenToKeyboard(
       case ' ':
         actions.holdPanning(true)
         return true
-      default:
-        return false
+      default: {
+        const act = event.altKey ? undefined : letters[event.key.toLowerCase()]
+        act?.()
+        return act !== undefined
+      }
     }
   }
 
@@ -127,29 +139,11 @@ export function listenToKeyboard(
     }
   }
 
-  /** Shortcuts that work wherever the focus is, also on a toolbar button. */
-  const actionOf = (event: KeyboardEvent): (() => void) | undefined => {
-    switch (event.key.toLowerCase()) {
-      case '?':
-        return showHelp
-      case 'v':
-        return () => actions.useTool('select')
-      case 'h':
-        return () => actions.useTool('pan')
-      case 'a':
-        return () => actions.useTool('add')
-      case 's':
-        return () => actions.toggleSnapping()
-      case 'p':
-        return drawRegion
-      case 'escape':
-        return event.target === figure ? undefined : () => actions.release()
-      case 'delete':
-      case 'backspace':
-        return event.target === figure ? undefined : () => actions.removeSelected()
-      default:
-        return undefined
-    }
+  /** Shortcuts that work wherever the focus is. Letters would disturb speech input there. */
+  const actionOf = ({ key, target }: KeyboardEvent): (() => void) | undefined => {
+    if (target === figure) return undefined
+    if (key === 'Escape') return () => actions.release()
+    return key === 'Delete' ? () => actions.removeSelected() : undefined
   }
 
   /**

@@ -7,39 +7,42 @@ import type { Store } from './store.ts'
 /** Delay without further changes before an announcement, in milliseconds. Drags are announced at their end. */
 const REST = 250
 
-/** Announces edits and the selection to screen readers, each once. */
+/**
+ * Announces edits, and the selected circle with its cell, at rest, as they are then. A cell is announced again once it
+ * has changed.
+ */
 export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: Speech): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
   /** The pending announcement, and the circle that the action selected. */
   let done: { readonly text: string; readonly id: number | undefined } | undefined
+  /** The announced description of the selected circle. */
+  let told = ''
 
-  const say = (text: string) => {
-    clearTimeout(timer)
-    timer = setTimeout(() => {
-      done = undefined
-      // Screen readers announce a repeated text only if the node is new.
-      said.replaceChildren(text)
-    }, REST)
+  const descriptionOf = ({ selected, described }: State) =>
+    described !== undefined && described.id === selected ? describeCell(described, speech)[0] : ''
+  const say = () => {
+    const { selected } = store.get()
+    const description = descriptionOf(store.get())
+    const texts = done === undefined ? [] : [done.text]
+    if (selected !== undefined && description !== '' && description !== told) {
+      texts.push(done?.id === selected ? description : speech.words.circle(speech.called(selected), description))
+      told = description
+    }
+    done = undefined
+    // Screen readers announce a repeated text only if the node is new.
+    if (texts.length > 0) said.replaceChildren(texts.join('. '))
   }
   store.subscribe((state) => {
-    const { selected, described } = state
-    if (state.said !== before.said) {
-      done = { text: state.said.text, id: selected }
-      // The description of a newly selected circle arrives a moment later. Waiting for it allows one announcement for
-      // both.
-      const isKnown = selected === undefined || described?.id === selected
-      if (isKnown) say(done.text)
-      else clearTimeout(timer)
-    } else if (
-      described !== undefined &&
-      described.id === selected &&
-      (selected !== before.selected || before.described?.id !== selected)
-    ) {
-      const description = describeCell(described, speech)[0]
-      const text = done?.id === selected ? description : speech.words.circle(speech.called(selected), description)
-      say(done === undefined ? text : `${done.text}. ${text}`)
-    }
+    if (state.selected !== before.selected) told = ''
+    const isAction = state.said !== before.said
+    if (isAction) done = { text: state.said.text, id: state.selected }
+    const isOther = isAction || state.selected !== before.selected || state.described !== before.described
     before = state
+    if (!isOther) return
+    clearTimeout(timer)
+    // The description of a newly selected circle arrives a moment later. Waiting for it allows one announcement for
+    // both.
+    if (state.selected === undefined || state.described?.id === state.selected) timer = setTimeout(say, REST)
   })
 }

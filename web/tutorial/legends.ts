@@ -12,11 +12,11 @@ export function showLegends(page: Document): void {
   for (const place of page.querySelectorAll<HTMLElement>('.legend')) {
     const figure = place.closest('figure')?.querySelector('circle-voronoi') as CircleVoronoiElement
     void figure.ready.then(async () => {
-      const { cells } = figure.layers
+      const { cells, maxDistance } = figure.layers
       if (cells === undefined || !isMeasure(cells)) return
       library ??= loadCircleVoronoi()
       // Edits do not change the meaning of the colors, in the legend as in the figure.
-      const { legend } = new Measures(cells, (await library).compute(figure.circles))
+      const { legend } = new Measures(cells, (await library).compute(figure.circles), { maxDistance })
       const surface = figure.shadowRoot?.querySelector('.figure') as HTMLElement
       const draw = () => drawLegend(place, legend, readStyle(surface), place.dataset.unit)
       draw()

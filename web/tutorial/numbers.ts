@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the numbers of circles above the picture of an element.
+// Writes numbers at the circles above the picture of an element.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { toScreen } from '../view/camera.ts'
 import { lookAt } from './printed-picture.ts'
@@ -8,7 +8,8 @@ const SVG = 'http://www.w3.org/2000/svg'
 /** The events after which a figure's viewport may have changed. */
 const MOVES = ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick', 'circleschange'] as const
 
-export function numberCircles(figure: CircleVoronoiElement): void {
+/** Writes a text at each circle, by its index: the index itself, unless another text is given. */
+export function numberCircles(figure: CircleVoronoiElement, textOf = (i: number) => `${i}`): void {
   const page = figure.ownerDocument
   const svg = page.createElementNS(SVG, 'svg')
   svg.classList.add('numbers')
@@ -27,7 +28,7 @@ export function numberCircles(figure: CircleVoronoiElement): void {
       const text = page.createElementNS(SVG, 'text')
       text.setAttribute('x', `${x}`)
       text.setAttribute('y', `${y}`)
-      text.textContent = `${i}`
+      text.textContent = textOf(i)
       return text
     })
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CircleVoronoiElement } from '../element/index.ts'
 
-/** Checks the goals of exercises, and shows or hides the message of success. */
+/** Checks the goals of exercises, shows or hides the message of success, and undoes and resets their figures. */
 export function followTrials(page: ParentNode): void {
   for (const section of page.querySelectorAll<HTMLElement>('.try')) {
     const output = section.querySelector('figcaption output') as HTMLOutputElement
@@ -9,6 +9,13 @@ export function followTrials(page: ParentNode): void {
     figure.addEventListener('checkchange', ({ detail: { isMet } }) => {
       section.classList.toggle('done', isMet)
       output.value = isMet ? (output.dataset.done as string) : ''
+    })
+    const surface = () => figure.shadowRoot?.querySelector('.figure')
+    const undo = () =>
+      surface()?.dispatchEvent(new KeyboardEvent('keydown', { key: 'z', ctrlKey: true, bubbles: true }))
+    section.querySelector('button.undo')?.addEventListener('click', undo)
+    section.querySelector('button.reset')?.addEventListener('click', () => {
+      figure.circles = JSON.parse(figure.getAttribute('circles') as string)
     })
     section.querySelector<HTMLButtonElement>('button.show')?.addEventListener('click', ({ currentTarget }) => {
       figure.circles = JSON.parse((currentTarget as HTMLElement).dataset.circles as string)

@@ -19,6 +19,8 @@ export interface Domain {
   readonly lattice?: Lattice | undefined
   /** The areas, by id. `undefined`: circles keep their own radii. */
   readonly areas: Areas | undefined
+  /** The radii before areas were prescribed, by id, if they are known. */
+  readonly radii?: readonly number[] | undefined
 }
 
 export const NO_DOMAIN: Domain = { region: undefined, areas: undefined }

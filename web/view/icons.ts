@@ -34,6 +34,7 @@ export const REGION = 'm4 8 6-5 7 4-2 8-9 2zM8 9.5l4-.5-.5 3.5z'
 export const REMOVE = `${RING}M7 10h6`
 export const SELECT = 'm5 3 11 6-5 1.5L8.5 16Z'
 export const SEND = 'M10 12V3m-3 3 3-3 3 3M5 9H4v8h12V9h-1'
+export const STOP = 'M5.5 5.5h9v9h-9z'
 export const TABLE = 'M3 4.5h14v11H3zM3 8.5h14M3 12h14M8 4.5v11'
 export const UNDO = 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8'
 

@@ -213,7 +213,7 @@ export type FromPainter =
   | ({ readonly kind: 'answer' } & RemoteReply)
   | { readonly kind: 'found'; readonly scene: number; readonly found: GlobalResults }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Highlights }
-  /** The same highlights with outlines for the current viewport. */
+  /** The same highlights with outlines for the current viewport and layers. */
   | { readonly kind: 'outlined'; readonly scene: number; readonly marks: Highlights }
   /** The thread has failed. `during` is the work of a single scene that caused it, if known. */
   | { readonly kind: 'failed'; readonly message: string; readonly during?: InProgress | undefined }
@@ -254,6 +254,8 @@ export interface Described {
   readonly hiddenBy: number | undefined
   readonly isBounded: boolean
   readonly neighbors: Int32Array
+  /** The area and the perimeter of the selected cell inside its limits; infinite without an end. */
+  readonly size?: { readonly area: number; readonly perimeter: number } | undefined
   /** The outline of the cell within the viewport (`replay`). */
   readonly outline: Float64Array
   /** The outlines of the neighbors' cells. */

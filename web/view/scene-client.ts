@@ -39,8 +39,6 @@ export interface Edited {
 export interface PictureEvents {
   painted(painted: Painted): void
   marked(marks: Highlights): void
-  /** The highlighted cells have new outlines for the current viewport; everything else is unchanged. */
-  outlined(marks: Highlights): void
   /** `undefined`: the results belong to former circles, and new ones will follow. */
   found(found: GlobalResults | undefined): void
   /** The thread has failed and a new one continues. The possible cause of the failure is dropped. */
@@ -249,8 +247,7 @@ export class SceneClient {
   /** Handles a message of the thread. Returns whether it completes a request. */
   receive(message: Extract<FromPainter, { scene: number }>): boolean {
     if (message.kind === 'marked') this.#mark = this.#unansweredMarks.shift() ?? this.#mark
-    if (message.kind === 'marked' || message.kind === 'edited') this.#events.marked(message.marks)
-    if (message.kind === 'outlined') this.#events.outlined(message.marks)
+    if ('marks' in message) this.#events.marked(message.marks)
     if (message.kind === 'painted' || message.kind === 'edited') this.#events.painted(message)
     if (message.kind === 'edited' || message.kind === 'found') this.#events.found(message.found)
     if (!('revision' in message)) return message.kind === 'painted' && message.isWhole

@@ -138,7 +138,6 @@ export class View {
         this.#outline(marks)
         this.#tell('marked', marks)
       },
-      outlined: (marks) => this.#outline(marks),
       found: (found) => this.#findingChanges(found),
       failed: (error, lost) => this.#drawingFailed(error, lost),
     })

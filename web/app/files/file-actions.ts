@@ -78,9 +78,17 @@ export class FileActions {
   async openFile(file: File): Promise<HowOpened> {
     const gesture = this.#actions.beginGesture()
     // Avoids reading a file that is too large.
-    const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file)
+    const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file).catch(() => undefined)
     if (region !== undefined) return this.#clipTo(region, file.name, gesture)
     return this.#openRead(() => this.#readFile(file))
+  }
+
+  /** Opens the first of several files, and says so. */
+  async openFiles([first, ...others]: readonly File[]): Promise<void> {
+    if (first === undefined) return
+    const how = await this.openFile(first)
+    if (how === 'opened' && others.length > 0)
+      toast(`${first.name} was opened alone. Open the other files one at a time.`)
   }
 
   /** Opens circles once they are read. If some rows are invalid, the error offers to skip them. */
@@ -114,7 +122,11 @@ export class FileActions {
       this.#actions.complain(`${file.name}: the file is too large.`)
       return 'refused'
     }
-    const text = await file.text()
+    const text = await file.text().catch(() => undefined)
+    if (text === undefined) {
+      this.#actions.complain(unreadable(file))
+      return 'refused'
+    }
     return this.#clipTo(() => readRegion(text), file.name, gesture)
   }
 
@@ -184,7 +196,12 @@ export class FileActions {
   async #readFile(file: File): Promise<Read> {
     if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
     const isPicture = file.type.startsWith('image/') && file.type !== 'image/svg+xml'
-    if (!isPicture) return this.#read(new Uint8Array(await file.arrayBuffer()), file.name)
+    if (!isPicture) {
+      const bytes = await file.arrayBuffer().catch(() => {
+        throw new Error(unreadable(file))
+      })
+      return this.#read(new Uint8Array(bytes), file.name)
+    }
     try {
       return await this.#threads.reader.call('stipple', file)
     } catch {
@@ -415,6 +432,10 @@ export class FileActions {
       return false
     }
   }
+}
+
+function unreadable({ name }: File): string {
+  return `${name} cannot be read. Open a file, not a folder; if it is a file, it may have been moved or changed.`
 }
 
 /** Some rows of a file are invalid. The others can be opened without them. */

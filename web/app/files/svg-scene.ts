@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads SVG drawings. Drawings of the page have a link or a table in their metadata; drawings of the program have circles.
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
+import { escaped } from '../../lib/drawing/escaped.ts'
 import type { Read } from './files-protocol.ts'
 
 const LINK = /<metadata id="circle-voronoi">(v\d+\.[\w-]+)<\/metadata>/
@@ -19,7 +20,7 @@ export function withLink(svg: string, link: string): string {
 
 /** Adds the circles as CSV, if they are too many for a link. */
 export function withTable(svg: string, csv: string): string {
-  return withMetadata(svg, 'circle-voronoi-circles', `\n${csv}`)
+  return withMetadata(svg, 'circle-voronoi-circles', `\n${escaped(csv)}`)
 }
 
 function withMetadata(svg: string, id: string, text: string): string {
@@ -28,7 +29,8 @@ function withMetadata(svg: string, id: string, text: string): string {
 
 /** The CSV in a drawing. */
 export function tableOfSvg(text: string): string | undefined {
-  return TABLE.exec(text)?.[1]?.trimStart()
+  const table = TABLE.exec(text)?.[1]?.trimStart()
+  return table?.replace(/&#(\d+);/g, (_, code) => String.fromCharCode(Number(code)))
 }
 
 /** @throws CircleVoronoiError `badInput` */

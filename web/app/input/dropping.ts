@@ -4,17 +4,17 @@ import { NOT_LOADED } from '../not-loaded.ts'
 
 /** Opens files dropped on the page, and content pasted outside of text fields. */
 export function listenToFiles(actions: () => Promise<FileActions>, complain: (problem: string) => void): void {
-  const open = async (file: File | undefined, text: string) => {
+  const open = async (files: readonly File[], text: string) => {
     const opening = await actions().catch(() => undefined)
     if (opening === undefined) return complain(NOT_LOADED)
-    if (file !== undefined) opening.openFile(file)
+    if (files.length > 0) opening.openFiles(files)
     else opening.openText(text)
   }
   const openFrom = (data: DataTransfer): boolean => {
-    const file = data.files[0]
+    const files = [...data.files]
     const text = data.getData('text/plain')
-    const isAny = file !== undefined || text.trim() !== ''
-    if (isAny) open(file, text)
+    const isAny = files.length > 0 || text.trim() !== ''
+    if (isAny) open(files, text)
     return isAny
   }
 

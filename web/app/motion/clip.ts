@@ -30,9 +30,7 @@ export async function recordClip(
     if (step === undefined) {
       motion.start('breathe')
       if (!motion.isMoving) return undefined
-      const film = await filmed(view.stream(), BREATH).finally(() => motion.stop())
-      await actions.undo()
-      return film
+      return await filmed(view.stream(), BREATH).finally(() => motion.cancel())
     }
     const begin = performance.now()
     const timer = setInterval(() => {
@@ -40,9 +38,10 @@ export async function recordClip(
       actions.showStep(Math.round(share * (steps - 1)))
     }, 1000 / RATE)
     actions.showStep(0)
-    const film = await filmed(view.stream(), PLAYED).finally(() => clearInterval(timer))
-    actions.showStep(step)
-    return film
+    return await filmed(view.stream(), PLAYED).finally(() => {
+      clearInterval(timer)
+      actions.showStep(step)
+    })
   } finally {
     actions.select(selection)
   }

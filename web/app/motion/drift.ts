@@ -2,6 +2,7 @@
 import type { Circle } from '../../lib/index.ts'
 import { toPlane } from '../../view/camera.ts'
 import type { View } from '../../view/view.ts'
+import { showStop } from '../panels/stop.ts'
 
 /** The moving circle, the time of one round in milliseconds, and the distance in units. */
 const MOVING = 7
@@ -32,6 +33,7 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
     if (isOver) return
     isOver = true
     listening.abort()
+    showStop(false)
     onend()
   }
   const frame = (now: number) => {
@@ -74,7 +76,8 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
     const { x, y } = toPlane(view.camera, view.size, { x: clientX - left, y: clientY - top })
     return Math.hypot(x - place.x, y - place.y) < 1.5 * place.r
   }
-  for (const name of ['pointerdown', 'keydown', 'wheel'] as const) {
+  showStop(true)
+  for (const name of ['pointerdown', 'click', 'keydown', 'wheel'] as const) {
     document.addEventListener(name, touch, { capture: true, signal: listening.signal, passive: true })
   }
   requestAnimationFrame(frame)

@@ -13,17 +13,21 @@ export interface Film {
 
 /** @throws Error if the browser cannot record video */
 export async function filmed(stream: MediaStream, seconds: number): Promise<Film> {
-  const type = TYPES.find((type) => globalThis.MediaRecorder?.isTypeSupported(type))
-  if (type === undefined) throw new Error('This browser cannot record a video.')
-  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: QUALITY })
-  const parts: Blob[] = []
-  recorder.ondataavailable = ({ data }) => parts.push(data)
-  const stopped = new Promise((resolve) => {
-    recorder.onstop = resolve
-  })
-  recorder.start()
-  setTimeout(() => recorder.stop(), 1000 * seconds)
-  await stopped
-  for (const track of stream.getTracks()) track.stop()
-  return { film: new Blob(parts, { type }), ending: type.startsWith('video/mp4') ? '.mp4' : '.webm' }
+  try {
+    const type = TYPES.find((type) => globalThis.MediaRecorder?.isTypeSupported(type))
+    if (type === undefined) throw new Error('This browser cannot record a video.')
+    const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: QUALITY })
+    const parts: Blob[] = []
+    recorder.ondataavailable = ({ data }) => parts.push(data)
+    const stopped = new Promise((resolve, reject) => {
+      recorder.onstop = resolve
+      recorder.onerror = () => reject(new Error('The browser could not record the video.'))
+    })
+    recorder.start()
+    setTimeout(() => recorder.stop(), 1000 * seconds)
+    await stopped
+    return { film: new Blob(parts, { type }), ending: type.startsWith('video/mp4') ? '.mp4' : '.webm' }
+  } finally {
+    for (const track of stream.getTracks()) track.stop()
+  }
 }

@@ -13,7 +13,7 @@ export const MOST_MOVING = 2000
 /** Longest time step in seconds. A late frame moves no farther. */
 const LONGEST_STEP = 1 / 20
 
-/** Animates circles by editing them. The whole animation is one undo step. */
+/** Animates circles by editing them. The whole animation is one undo step, and any other edit ends it, also undo. */
 export class Motion {
   readonly #view: View
   readonly #editing: Editing
@@ -54,6 +54,7 @@ export class Motion {
       return
     }
     this.#actions.select([])
+    this.#actions.showStep(undefined)
     if (name === 'compare') this.#actions.setLayers({ edges: true, ordinary: true, power: true })
     this.#run(movementOf(name, circles, this.#room(table.box())))
     this.#tell()
@@ -66,29 +67,41 @@ export class Motion {
     this.#tell()
   }
 
+  /** Stops, and brings the circles back to where they were. */
+  async cancel(): Promise<void> {
+    this.stop()
+    await this.#editing.cancel(this.#gesture)
+  }
+
   #run(movement: Movement): void {
     const table = this.#editing.circles
     const gesture = this.#actions.beginGesture()
     this.#gesture = gesture
     let last: number | undefined
     let isAsked = false
+    let hasBegun = false
+    /** Whether somebody else has edited the circles, or is about to. */
+    const isOver = () => {
+      const last = this.#editing.past.history.done.at(-1)
+      return this.#editing.unfinished > 0 || last?.kind !== 'edits' || last.gesture !== gesture
+    }
     const frame = (now: number) => {
       // Other circles have been opened.
       if (this.#editing.circles !== table) return this.stop()
       this.#frame = requestAnimationFrame(frame)
       if (isAsked) return
+      if (hasBegun && isOver()) return this.stop()
       const seconds = Math.min((now - (last ?? now)) / 1000, LONGEST_STEP)
       last = now
-      // Skips circles that the user has deleted.
-      const edits = movement(seconds).filter(({ id }) => table.get(id) !== undefined)
       isAsked = true
       this.#editing
         .edit(
-          edits.map(({ id, circle }) => ({ kind: 'replace', id, circle })),
+          movement(seconds).map(({ id, circle }) => ({ kind: 'replace', id, circle })),
           gesture,
         )
         .then((edited) => {
           isAsked = false
+          hasBegun = true
           // A new animation may have begun since.
           if (edited === undefined && this.#gesture === gesture) this.stop()
         })

@@ -5,9 +5,8 @@ import type { Editing } from '../../editing/editing.ts'
 import { isIdentity } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
-import type { CellFacts } from '../../view/protocol.ts'
+import type { Described } from '../../view/protocol.ts'
 import { short } from '../../view/short.ts'
-import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
@@ -16,23 +15,14 @@ import { selectionActions } from './group.ts'
 const DIGITS = 4
 
 /** Shows the place and the measures of the selected circle, with its actions. */
-export function mountInspectorFacts(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
+export function mountInspectorFacts(store: Store<State>, editing: Editing, actions: PageActions): void {
   const place = byId('inspector-place', HTMLParagraphElement)
   const facts = byId('inspector-facts', HTMLElement)
   const data = byId('inspector-data', HTMLElement)
   let shownData: readonly unknown[] = []
   const buttons = byId('inspector-actions', HTMLElement)
 
-  /** The circle that the facts describe. */
-  let asked: State['described']
-  const ask = async (described: NonNullable<State['described']>) => {
-    asked = described
-    const told = await view.ask('tell', [described.id])
-    // The selection may have changed since.
-    const isInside = store.get().domain.region !== undefined
-    if (asked === described) render(factsOf(told?.cells.get(described.id), isInside), facts)
-  }
-  store.subscribe(({ selected, described, attributes }) => {
+  store.subscribe(({ selected, described, attributes, domain }) => {
     if (selected === undefined) return
     if (shownData[0] !== selected || shownData[1] !== attributes) {
       shownData = [selected, attributes]
@@ -51,7 +41,7 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
     const about = [number, placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
     place.hidden = about === ''
     if (place.textContent !== about) place.textContent = about
-    if (described !== undefined && described !== asked) ask(described)
+    if (described?.id === selected) render(factsOf(described, domain.region !== undefined), facts)
   })
 }
 
@@ -63,12 +53,12 @@ function placeOf({ circles }: Editing, id: number): string {
   return place === id ? '' : `${wholeNumber(place + 1)} of ${wholeNumber(circles.count)}; numbers are not used again`
 }
 
-function factsOf(cell: CellFacts | undefined, isInside: boolean) {
-  if (cell === undefined || cell.hidden) return nothing
+function factsOf({ size, hiddenBy }: Described, isInside: boolean) {
+  if (size === undefined || hiddenBy !== undefined) return nothing
   const text = (value: number) =>
     Number.isFinite(value)
       ? short(value, DIGITS)
       : html`<span aria-label="infinite" title="The cell has no end">∞</span>`
-  return html`<dt>${isInside ? 'Area inside the region' : 'Area of the cell'}</dt><dd>${text(cell.area)}</dd>
-    <dt>${isInside ? 'Perimeter inside the region' : 'Perimeter of the cell'}</dt><dd>${text(cell.perimeter)}</dd>`
+  return html`<dt>${isInside ? 'Area inside the region' : 'Area of the cell'}</dt><dd>${text(size.area)}</dd>
+    <dt>${isInside ? 'Perimeter inside the region' : 'Perimeter of the cell'}</dt><dd>${text(size.perimeter)}</dd>`
 }

@@ -75,7 +75,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
   }
 
   store.subscribe((state) => {
-    const { circle } = state
+    const { circle, described } = state
     if (circle === undefined && panel.contains(document.activeElement)) figure.focus()
     panel.hidden = circle === undefined
     if (circle === undefined) return
@@ -88,8 +88,10 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
       field.setAttribute('aria-invalid', String(field === typing && state.problem !== ''))
       if (field !== typing && field.value !== text) field.value = text
     })
-    if (state.described === undefined) return
-    const [description, indices] = describeCell(state.described, actions)
+    // The cell's description arrives later. Until then its place keeps its size.
+    panel.classList.toggle('awaiting', described?.id !== state.selected)
+    if (described === undefined || described.id !== state.selected) return
+    const [description, indices] = describeCell(described, actions)
     cell.textContent = description
     showNeighbors(indices)
   })

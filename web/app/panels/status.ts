@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Remedy, State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
 
-/** Shorter times say more about what else the machine does. */
-const NOTICED = 0.05
+/** The times of fewer circles say more about what else the machine does. */
+const TIMED = 1000
 
 /** The status line: counts, computing time, and problems. */
-export function mountStatus(store: Store<State>): void {
+export function mountStatus(store: Store<State>, view: View): void {
   const status = byId('status', HTMLParagraphElement)
   const problem = byId('problem', HTMLParagraphElement)
 
   let edited: State['edited']
+  let { circles } = view
   let shown = ''
   let offered: Remedy | undefined
 
   store.subscribe((state) => {
-    // Announces the counts after each change.
     if (state.edited !== edited && state.edited !== undefined) {
       status.replaceChildren(statusOf(state.edited, state.degrees !== undefined))
       edited = state.edited
+      // Edits are announced in other words.
+      if (view.circles !== circles) store.update((state) => ({ ...state, said: { text: status.textContent } }))
+      circles = view.circles
     }
     problem.hidden = state.problem === ''
     const remedy = state.problem !== '' && state.remedy?.problem === state.problem ? state.remedy : undefined
@@ -56,7 +60,7 @@ function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>, are
     ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden'], 'rare'] as Part] : []),
     ...(fitted === undefined ? [] : [[['areas within ', bold(fitted.error.toExponential(0))], 'second'] as Part]),
     [[proven]],
-    ...(seconds < NOTICED ? [] : [[['computed in ', ...duration(seconds)], 'minor'] as Part]),
+    ...(counts.circles < TIMED ? [] : [[['computed in ', ...duration(seconds)], 'minor'] as Part]),
   ]
   const line = document.createElement('span')
   for (const [k, [content, rank]] of parts.entries()) {

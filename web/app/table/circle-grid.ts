@@ -348,7 +348,9 @@ export class CircleGrid implements GridContent {
     do {
       this.#isStale = false
       const ids = this.#order.slice(this.#seen[0], this.#seen[1] + 1)
-      const table = ids.length === 0 ? undefined : await this.#view.ask('tabulate', MEASURED, ids)
+      // After a refusal, the next change asks again.
+      const table =
+        ids.length === 0 ? undefined : await this.#view.ask('tabulate', MEASURED, ids).catch(() => undefined)
       this.#measured = new Map(
         [...(table?.ids ?? [])].map((id, k) => [id, table?.columns.map((column) => column[k] as number) ?? []]),
       )

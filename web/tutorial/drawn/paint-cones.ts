@@ -19,14 +19,14 @@ const COLORS = [
 ] as const
 /** The direction of the light: from the left, the front and above. */
 const LIGHT = [-0.45, -0.35, 0.82] as const
-/** Darkness of the lines between cones and around circles. */
+/** Brightness of the lines between cones and around circles. */
 const LINE = 0.35
-/** Samples per row of pixels along each ray from front to back. */
-const FINENESS = 1.6
+/** The darkest side is this much darker than the side that faces the light, seen from the side. */
+const CONTRAST = 0.5
 const DEGREE = Math.PI / 180
 
 /**
- * Returns the image; pixels behind the cones stay transparent.
+ * Returns the image; pixels beside the cones stay transparent.
  * @param view x and y of the middle, and the width
  * @returns red, green, blue and alpha of each pixel
  */
@@ -47,57 +47,80 @@ export function paintCones(
     v: (x - middleX) * turnY + (y - middleY) * turnX,
     r,
   }))
-  const [reach, depth] = [span / 2, (span / 2) * (height / width)]
-  const steps = Math.ceil(height * FINENESS)
-  /** The cone seen in the previous column of pixels, and whether inside its circle. */
-  const beside = new Int32Array(steps)
   // Shifts the mean height to the middle of the picture.
-  const lift = cos * (depth * 0.35)
+  const lift = cos * ((0.35 * height) / 2 / scale)
+  /** The parts seen in the row above: 2 i on cone i, 2 i + 1 on its part above the ground, -1 beside all cones. */
+  const above = new Int32Array(width).fill(-1)
 
-  for (let column = 0; column < width; column++) {
-    const u = (column + 0.5) / scale - reach
-    let top = height
-    let before = -1
-    /** Whether the ray has crossed a line since the last pixel. */
-    let isLine = false
-    for (let step = 0; step < steps && top > 0; step++) {
-      const v = -depth + (2 * depth * (step + 0.5)) / steps
-      let z = Number.NEGATIVE_INFINITY
-      let nearest = 0
+  for (let row = 0; row < height; row++) {
+    const s = (height / 2 - row - 0.5) / scale - lift
+    const rays = cones.map((cone) => rayAt(cone, s, sin, cos))
+    let beside = -1
+    for (let column = 0; column < width; column++) {
+      const u = (column + 0.5 - width / 2) / scale
+      let t = Number.POSITIVE_INFINITY
+      let first = -1
       for (let i = 0; i < cones.length; i++) {
-        const cone = cones[i] as (typeof cones)[number]
-        const [du, dv] = [u - cone.u, v - cone.v]
-        const own = cone.r - Math.sqrt(du * du + dv * dv)
-        if (own > z) [z, nearest] = [own, i]
+        const own = entry(cones[i] as Cone, rays[i] as Ray, u)
+        if (own >= t) continue
+        t = own
+        first = i
       }
-      const row = Math.floor(height / 2 - (v * sin + z * cos + lift) * scale)
-      const isInside = z >= 0
-      const part = 2 * nearest + (isInside ? 1 : 0)
-      isLine ||= (before >= 0 && part !== before) || (column > 0 && part !== beside[step])
-      before = part
-      beside[step] = part
-      if (row >= top) continue
-      const cone = cones[nearest] as (typeof cones)[number]
-      const d = Math.hypot(u - cone.u, v - cone.v) || 1
+      const isInside = s * cos - t * sin >= 0
+      const part = first < 0 ? -1 : 2 * first + (isInside ? 1 : 0)
+      const up = above[column] as number
+      const isLine = (beside >= 0 && beside !== part) || (up >= 0 && up !== part)
+      beside = part
+      above[column] = part
+      if (first < 0) continue
+      const cone = cones[first] as Cone
+      const [du, dv] = [u - cone.u, s * sin + t * cos - cone.v]
+      const d = Math.sqrt(du * du + dv * dv) || 1
       // The surface has slope 1, so its normal leans outward by 45 degrees.
-      const bright =
-        ((u - cone.u) / d) * LIGHT[0] * Math.SQRT1_2 +
-        ((v - cone.v) / d) * LIGHT[1] * Math.SQRT1_2 +
-        LIGHT[2] * Math.SQRT1_2
-      const shade = 1 + (bright - 0.58) * 0.9 * cos
-      const color = COLORS[nearest % COLORS.length] as (typeof COLORS)[number]
+      const bright = ((du / d) * LIGHT[0] + (dv / d) * LIGHT[1] + LIGHT[2]) * Math.SQRT1_2
+      const shade = (1 - CONTRAST * (1 - bright) * cos) * (isLine ? LINE : 1)
+      const color = COLORS[first % COLORS.length] as (typeof COLORS)[number]
       const white = isInside ? 0 : 0.62
-      for (let y = Math.max(row, 0); y < top; y++) {
-        const k = 4 * (y * width + column)
-        for (let c = 0; c < 3; c++) {
-          const own = (color[c] as number) * (1 - white) + 250 * white
-          pixels[k + c] = own * shade * (isLine ? LINE : 1)
-        }
-        pixels[k + 3] = 255
-      }
-      top = Math.max(row, 0)
-      isLine = false
+      const k = 4 * (row * width + column)
+      for (let c = 0; c < 3; c++) pixels[k + c] = ((color[c] as number) * (1 - white) + 250 * white) * shade
+      pixels[k + 3] = 255
     }
   }
   return pixels
+}
+
+interface Cone {
+  readonly u: number
+  readonly v: number
+  readonly r: number
+}
+
+/**
+ * The rays through the height s of the picture, v = s sin + t cos and z = s cos - t sin, seen from a cone. A ray meets
+ * the cone where (z - r)^2 is the square of the distance from the axis, k t^2 - 2 m t + c - (u - cone.u)^2 = 0, and
+ * where z <= r.
+ */
+interface Ray {
+  readonly k: number
+  readonly m: number
+  readonly c: number
+  /** The t of z = r. */
+  readonly least: number
+}
+
+function rayAt({ v, r }: Cone, s: number, sin: number, cos: number): Ray {
+  const [depth, dv] = [s * cos - r, s * sin - v]
+  const least = sin > 0 ? depth / sin : depth > 0 ? Number.POSITIVE_INFINITY : Number.NEGATIVE_INFINITY
+  return { k: sin * sin - cos * cos, m: depth * sin + dv * cos, c: depth * depth - dv * dv, least }
+}
+
+/** The t where a ray enters a cone, which goes down without end; infinite if it does not. */
+function entry(cone: Cone, { k, m, c, least }: Ray, u: number): number {
+  const rest = c - (u - cone.u) * (u - cone.u)
+  const square = m * m - k * rest
+  if (square < 0) return Number.POSITIVE_INFINITY
+  const root = Math.sqrt(square)
+  // The same root in both forms. Each has no cancellation, and the first stays finite where k is 0.
+  const t = m < 0 ? rest / (m - root) : (m + root) / k
+  return t >= least ? t : Number.POSITIVE_INFINITY
 }

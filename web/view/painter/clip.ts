@@ -15,19 +15,25 @@ export class Clip {
   }
 
   /** The area of a cell inside the region, in time independent of the size of the diagram. */
-  areaOf(diagram: Diagram, i: number): number {
-    return this.#ofEach(diagram, [i], (few, k) => few.cellArea(k, { region: this.region }))[0] ?? 0
+  areaOf(diagram: Diagram, i: number, maxDistance: number | undefined): number {
+    const { region } = this
+    return this.#ofEach(diagram, [i], (few, k) => few.cellArea(k, { region, maxDistance }))[0] ?? 0
   }
 
   /** The perimeter of a cell inside the region. */
-  perimeterOf(diagram: Diagram, i: number): number {
-    return this.#ofEach(diagram, [i], (few, k) => few.cellPerimeter(k, { region: this.region }))[0] ?? 0
+  perimeterOf(diagram: Diagram, i: number, maxDistance: number | undefined): number {
+    const { region } = this
+    return this.#ofEach(diagram, [i], (few, k) => few.cellPerimeter(k, { region, maxDistance }))[0] ?? 0
   }
 
   /** Draws the cells of circles inside the region. */
-  drawCells(context: PathSink, diagram: Diagram, circles: readonly number[], tolerance: number): void {
+  drawCells(
+    diagram: Diagram,
+    circles: readonly number[],
+    options: { readonly context: PathSink; readonly tolerance: number; readonly maxDistance: number | undefined },
+  ): void {
     const { region } = this
-    this.#ofEach(diagram, circles, (few, k) => few.cellPath(k, { context, region, tolerance }))
+    this.#ofEach(diagram, circles, (few, k) => few.cellPath(k, { region, ...options }))
   }
 
   /** Calls `use` for each existing cell, with a small diagram that contains the same cell. */

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { circleAt } from '../../lib/base/diagram-data.ts'
-import type { Diagram } from '../../lib/index.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
 import type { CellFacts, Facts } from '../protocol.ts'
-import { cellArea } from './measures.ts'
+import { cellArea, cellPerimeter } from './measures.ts'
 import type { Picture } from './picture.ts'
 
 /** Counts of a diagram, and descriptions of some cells by circle id. */
 export function factsOf(
-  picture: Pick<Picture, 'diagram' | 'clip'>,
+  picture: Pick<Picture, 'diagram' | 'limits'>,
   counts: DiagramCounts,
   ids: readonly number[],
 ): Facts {
@@ -21,7 +20,7 @@ export function factsOf(
   return { ...counts, cells }
 }
 
-function cellFacts({ diagram, clip }: Pick<Picture, 'diagram' | 'clip'>, i: number): CellFacts {
+function cellFacts({ diagram, limits }: Pick<Picture, 'diagram' | 'limits'>, i: number): CellFacts {
   const { circles, numbers } = diagram
   const around = diagram.neighbors(i)
   return {
@@ -30,11 +29,7 @@ function cellFacts({ diagram, clip }: Pick<Picture, 'diagram' | 'clip'>, i: numb
     bounded: diagram.cells.isBounded(i),
     edges: around.length,
     neighbors: [...new Set(Array.from(around, (k) => numbers?.circles[k] ?? k))],
-    area: clip?.areaOf(diagram, i) ?? cellArea(diagram, i),
-    perimeter: clip?.perimeterOf(diagram, i) ?? perimeterOf(diagram, i),
+    area: cellArea(diagram, i, limits),
+    perimeter: cellPerimeter(diagram, i, limits),
   }
-}
-
-function perimeterOf(diagram: Diagram, i: number): number {
-  return diagram.cells.isBounded(i) ? diagram.cellPerimeter(i) : Number.POSITIVE_INFINITY
 }

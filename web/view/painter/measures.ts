@@ -20,6 +20,12 @@ const SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
 /** Numbers of neighbors with a color each. */
 const DEGREES = [4, 5, 6, 7, 8]
 
+/** The limits of cells: the region of a scene, and a distance from their circles. */
+export interface CellLimits {
+  readonly clip?: Clip | undefined
+  readonly maxDistance?: number | undefined
+}
+
 /**
  * Maps a measure to shades. The ramp is linear between quantiles, so that all shades are used for any distribution.
  * Equal values have equal shades.
@@ -29,7 +35,7 @@ export class Measures {
   /** The values of a client, if any. */
   readonly #column: CellValues | undefined
   readonly #diagram: Diagram
-  readonly #clip: Clip | undefined
+  readonly #limits: CellLimits
   /** Upper limit for the number of unknown areas inside a region. */
   #missing: number
   #knots: readonly number[] | undefined
@@ -37,13 +43,13 @@ export class Measures {
   /** Caches areas and gaps by circle id. */
   #known = new Float64Array()
 
-  /** `clip` limits the measured part of a cell. `column` gives the values of the measure `column`. */
-  constructor(measure: Measure | 'column', diagram: Diagram, clip?: Clip, column?: CellValues) {
+  /** `limits` limit the measured part of a cell. `column` gives the values of the measure `column`. */
+  constructor(measure: Measure | 'column', diagram: Diagram, limits: CellLimits = {}, column?: CellValues) {
     this.measure = measure
     this.#column = column
     this.#diagram = diagram
-    this.#clip = clip
-    this.#missing = clip === undefined ? 0 : diagram.circles.length / 3
+    this.#limits = limits
+    this.#missing = limits.clip === undefined ? 0 : diagram.circles.length / 3
   }
 
   /** The meaning of the shades. It stays fixed while circles are edited. */
@@ -92,16 +98,14 @@ export class Measures {
   #find(i: number): void {
     const diagram = this.#diagram
     const id = idOf(diagram, i)
+    const { clip, maxDistance } = this.#limits
     if (this.measure === 'gap') {
       this.#known[id] = gap(diagram, i)
-    } else if (this.#clip === undefined) {
-      this.#known[id] = cellArea(diagram, i)
-    } else if (this.#missing < MOST_ALONE) {
-      this.#known[id] = this.#clip.areaOf(diagram, i)
+    } else if (clip === undefined || this.#missing < MOST_ALONE) {
+      this.#known[id] = cellArea(diagram, i, this.#limits)
     } else {
       this.#missing = 0
-      const { region } = this.#clip
-      diagram.cellAreas({ region }).forEach((area, k) => {
+      diagram.cellAreas({ region: clip.region, maxDistance }).forEach((area, k) => {
         this.#known[idOf(diagram, k)] = area
       })
     }
@@ -150,9 +154,12 @@ export function placeAmong(knots: readonly number[], value: number): number {
   return (below - 1 + (value - low) / (high - low)) / last
 }
 
-/** The area of a cell: infinite if it is unbounded, 0 if it does not exist. */
-export function cellArea({ cells }: Diagram, i: number): number {
+/** The area of a cell inside its limits: infinite if it is unbounded, 0 if it does not exist. */
+export function cellArea(diagram: Diagram, i: number, { clip, maxDistance }: CellLimits = {}): number {
+  const { cells } = diagram
   if (!cells.exists(i)) return 0
+  if (clip !== undefined) return clip.areaOf(diagram, i, maxDistance)
+  if (maxDistance !== undefined) return diagram.cellArea(i, { maxDistance })
   if (!cells.isBounded(i)) return Number.POSITIVE_INFINITY
   const pieces = Array.from(cells.sides(i), (side) => ({
     curve: cells.curveOf(side) as BoundedCurve,
@@ -161,6 +168,13 @@ export function cellArea({ cells }: Diagram, i: number): number {
     r: 0,
   }))
   return outlineArea([pieces])
+}
+
+/** The perimeter of a cell inside its limits: infinite if it is unbounded, 0 if it does not exist. */
+export function cellPerimeter(diagram: Diagram, i: number, { clip, maxDistance }: CellLimits = {}): number {
+  if (clip !== undefined) return clip.perimeterOf(diagram, i, maxDistance)
+  if (maxDistance !== undefined || diagram.cells.isBounded(i)) return diagram.cellPerimeter(i, { maxDistance })
+  return diagram.cells.exists(i) ? Number.POSITIVE_INFINITY : 0
 }
 
 /** The distance to the nearest other circle, which is a neighbor; negative if they overlap. */

@@ -27,6 +27,7 @@ import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
 import { found } from './found.ts'
 import { boundsOf, type Frame, toleranceOf } from './frame.ts'
 import { frameOf } from './grid.ts'
+import { cellArea, cellPerimeter } from './measures.ts'
 import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { PaintContext } from './paint-context.ts'
@@ -48,6 +49,12 @@ interface OpenResult {
   readonly circles: Float64s | undefined
   readonly fitted: Fitted | undefined
   readonly colors: string | undefined
+  /** The computing time. */
+  readonly seconds: number
+}
+
+function secondsSince(start: number): number {
+  return (performance.now() - start) / 1000
 }
 
 /** The diagram of one view and the tiles already sent to it. */
@@ -88,9 +95,12 @@ export class PaintedScene {
       { length: circles.length / 3 },
       (_, i) => change.fit?.known?.get(kept?.ids[i] ?? i) ?? Number.NaN,
     )
+    const start = performance.now()
     const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
     const opened = fit?.diagram.circles ?? torus?.wrappedCircles(circles) ?? circles
-    const picture = new Picture(this.library.edit(opened, kept), clip, torus)
+    const editor = this.library.edit(opened, kept)
+    const seconds = secondsSince(start)
+    const picture = new Picture(editor, clip, torus)
     const { areSites } = this.picture
     const layers = this.#layers
     picture.areSites = change.areSites ?? areSites
@@ -107,6 +117,7 @@ export class PaintedScene {
       colors: picture.newColors(),
       circles: opened === circles ? undefined : opened.slice(),
       fitted: fit && { error: fit.error, steps: fit.steps },
+      seconds,
     }
   }
 
@@ -172,7 +183,7 @@ export class PaintedScene {
   #computePower({ compute }: Metrics): void {
     const start = performance.now()
     this.picture.setPower(compute(this.picture.diagram.circles, { metric: 'power' }))
-    this.#powerSeconds = (performance.now() - start) / 1000
+    this.#powerSeconds = secondsSince(start)
   }
 
   /** Updates the power diagram after an edit if that is fast. Returns whether it was. */
@@ -217,7 +228,7 @@ export class PaintedScene {
     const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
     const result = found(this.picture, tolerance)
     this.#isFound = true
-    this.#findingSeconds = (performance.now() - start) / 1000
+    this.#findingSeconds = secondsSince(start)
     return result
   }
 
@@ -265,14 +276,17 @@ export class PaintedScene {
     found: GlobalResults | undefined
     fitted: Fitted | undefined
     colors: string | undefined
+    seconds: number
   } {
     const clip = this.#clipOf(domain, regions)
     const torus = this.#torusOf(domain, clip)
+    const start = performance.now()
     const { edits, fit } =
       domain.fit === undefined
         ? { edits: this.#wrapped(asked, torus), fit: undefined }
         : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
     const change = this.picture.editor.apply(edits)
+    const seconds = secondsSince(start)
     const { areSites = this.picture.areSites, colors } = domain
     const isRepeatedOtherwise = torus !== this.picture.torus
     const isOtherwiseDrawn = areSites !== this.picture.areSites || colors !== undefined
@@ -283,7 +297,10 @@ export class PaintedScene {
     if (colors !== undefined) this.picture.recolor(colors)
     // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
-    const patches = isElsewhere ? [] : [...this.tiles.repaint(isAtOnce ? undefined : boxes), ...this.tiles.paintSeen()]
+    const { tiles } = this
+    const patches = isElsewhere
+      ? []
+      : [...tiles.release(), ...tiles.repaint(isAtOnce ? undefined : boxes), ...tiles.paintSeen()]
     if ((isEverywhere && !isAtOnce) || isElsewhere) this.tiles.restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
@@ -294,6 +311,7 @@ export class PaintedScene {
       colors: this.picture.newColors(),
       fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
+      seconds,
     }
   }
 
@@ -354,11 +372,11 @@ export class PaintedScene {
 
   /** The descriptions and outlines of the highlighted circles. */
   marks(): Highlights {
-    return { selected: this.#describe(this.#selected), hovered: this.#describe(this.#hovered) }
+    return { selected: this.#describe(this.#selected, true), hovered: this.#describe(this.#hovered, false) }
   }
 
-  #describe(id: number | undefined): Described | undefined {
-    const { diagram } = this.picture
+  #describe(id: number | undefined, isMeasured: boolean): Described | undefined {
+    const { diagram, limits } = this.picture
     const { circles, cells, hidden, numbers } = diagram
     const i = id === undefined ? -1 : diagram.indexOf(id)
     if (id === undefined || i < 0) return undefined
@@ -374,6 +392,9 @@ export class PaintedScene {
       color: this.tiles.viewport && this.picture.palette(this.tiles.viewport.style)[this.picture.colorOf(i)],
       hiddenBy,
       isBounded: cells.isBounded(i),
+      size: isMeasured
+        ? { area: cellArea(diagram, i, limits), perimeter: cellPerimeter(diagram, i, limits) }
+        : undefined,
       neighbors: Int32Array.from(leastFirst([...new Set(neighbors.map(idOf))])),
       outline: this.outlineOf([i]),
       neighborhood: this.outlineOf(whole.length > MOST_NEIGHBORS ? [] : whole),
@@ -385,9 +406,10 @@ export class PaintedScene {
     if (this.tiles.viewport === undefined) return new Float64Array()
     const { grid, wanted } = this.tiles.viewport
     const tolerance = toleranceOf(grid)
-    const { clip } = this.picture
-    if (clip !== undefined) return commandsOf((context) => clip.drawCells(context, diagram, circles, tolerance))
-    const options = { bounds: boundsOf(frameOf(grid, wanted)), tolerance }
+    const { clip, maxDistance } = this.picture.limits
+    if (clip !== undefined)
+      return commandsOf((context) => clip.drawCells(diagram, circles, { context, tolerance, maxDistance }))
+    const options = { bounds: boundsOf(frameOf(grid, wanted)), tolerance, maxDistance }
     return commandsOf((context) => {
       for (const i of circles) diagram.cellPath(i, { context, ...options })
     })

@@ -60,7 +60,6 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
   }
   const scene = scenes.get(message.scene)
   if (scene === undefined) return
-  const start = performance.now()
   switch (message.kind) {
     case 'open':
       try {
@@ -73,7 +72,6 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
           revision: message.revision,
           counts: scene.counts(),
           ...opened,
-          seconds: secondsSince(start),
         })
         schedule()
         findAtRest()
@@ -87,7 +85,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
         return
       }
       try {
-        const { patches, boxes, change, found, fitted, colors } = scene.edit(
+        const { patches, boxes, change, found, fitted, colors, seconds } = scene.edit(
           message.edits,
           message,
           await regionsFor(message),
@@ -106,7 +104,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
             found,
             fitted,
             colors,
-            seconds: secondsSince(start),
+            seconds,
           },
           patches.map(({ image }) => image),
         )
@@ -133,6 +131,10 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     case 'layers':
       scene.setLayers(message.layers, message.isPainted)
+      // A layer limits cells.
+      if (message.isPainted && scene.isAnythingMarked) {
+        post({ kind: 'outlined', scene: message.scene, marks: scene.marks() })
+      }
       tellFound(message.scene, scene)
       return
     case 'mark':
@@ -185,10 +187,6 @@ function refuse(scene: number, revision: number, error: unknown): void {
   post({ kind: 'refused', scene, revision, error: postedError(error) })
 }
 
-function secondsSince(start: number): number {
-  return (performance.now() - start) / 1000
-}
-
 function schedule(): void {
   if (isPainting) return
   isPainting = true
@@ -202,8 +200,7 @@ function paintSlice(): void {
     const patches: Patch[] = []
     try {
       while (scene.tiles.isWaiting && performance.now() < end) {
-        const patch = scene.tiles.paintNext()
-        if (patch !== undefined) patches.push(patch)
+        patches.push(...scene.tiles.paintNext())
       }
     } catch (error) {
       fail(error, { scene: number, kind: 'paint' })

@@ -19,7 +19,7 @@ import { addAround, boxAt, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
 import type { Clip } from './clip.ts'
 import { Coloring } from './coloring.ts'
-import { Measures } from './measures.ts'
+import { type CellLimits, cellArea, Measures } from './measures.ts'
 import type { MethodResult } from './method-layers.ts'
 import { RepeatedDiagram, type Torus } from './torus.ts'
 
@@ -151,20 +151,22 @@ export class Picture {
   }
 
   set layers(layers: PaintedLayers) {
+    const before = this.#layers
+    this.#layers = layers
+    if (layers.maxDistance !== before.maxDistance) this.#limitsChange()
     const cells = layers.cells === 'auto' ? this.#automatic : layers.cells
     const { column } = layers
     if (column !== undefined) {
-      if (column !== this.#layers.column || this.#measures === undefined) {
-        this.#measures = new Measures('column', this.diagram, undefined, column)
+      if (column !== before.column || this.#measures === undefined) {
+        this.#measures = new Measures('column', this.diagram, {}, column)
       }
     } else if (!isMeasure(cells)) this.#measures = undefined
     else if (cells === 'area') this.#measures = this.areas()
     else if (cells === 'gap') this.#measures = this.gaps()
-    else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram, this.#clip)
+    else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram, this.limits)
     if (cells === 'different') this.#hasColors()
     if (!layers.dual) this.#stars = undefined
-    if (layers.data !== this.#layers.data) this.data = layers.data.map((layer) => indexed(layer, layer.color))
-    this.#layers = layers
+    if (layers.data !== before.data) this.data = layers.data.map((layer) => indexed(layer, layer.color))
   }
 
   #hasColors(): Coloring {
@@ -190,10 +192,19 @@ export class Picture {
   set clip(clip: Clip | undefined) {
     if (clip === this.#clip) return
     this.#clip = clip
-    // The clip changes the areas.
+    this.#limitsChange()
+  }
+
+  /** The limits of the cells. */
+  get limits(): CellLimits {
+    return { clip: this.#clip, maxDistance: this.#layers.maxDistance }
+  }
+
+  /** The limits change the areas. */
+  #limitsChange(): void {
     this.#areas = undefined
     if (this.#measures?.measure === 'area') this.#measures = this.areas()
-    if (this.#measures?.measure === 'filled') this.#measures = new Measures('filled', this.diagram, clip)
+    if (this.#measures?.measure === 'filled') this.#measures = new Measures('filled', this.diagram, this.limits)
   }
 
   /** Sets the power diagram of the circles. */
@@ -250,13 +261,13 @@ export class Picture {
 
   /** The areas of cells, computed on demand. */
   areas(): Measures {
-    this.#areas ??= new Measures('area', this.diagram, this.#clip)
+    this.#areas ??= new Measures('area', this.diagram, this.limits)
     return this.#areas
   }
 
   /** The area of the cell of a circle with an index. */
   areaOf(i: number): number {
-    return this.#clip?.areaOf(this.diagram, i) ?? this.areas().valueOf(i)
+    return cellArea(this.diagram, i, this.limits)
   }
 
   /** The distances to the nearest other circles, computed on demand. */

@@ -23,6 +23,10 @@ export class Tiles {
   readonly #painted = new Set<string>()
   /** The tiles to paint, the next one last. */
   #waiting: PixelBox[] = []
+  /**
+   * The tiles that wait for the other visible ones, because the view shows another picture; `undefined` if it does not.
+   */
+  #held: Patch[] | undefined
 
   constructor(draw: (drawing: Drawing, frame: Frame, pixelRatio: number, style: Style) => void) {
     this.#draw = draw
@@ -41,7 +45,10 @@ export class Tiles {
     const before = this.#viewport
     this.#viewport = viewport
     const isOtherGrid = before?.grid.id !== viewport.grid.id
-    if (isOtherGrid) this.#painted.clear()
+    if (isOtherGrid) {
+      this.#painted.clear()
+      this.#drop()
+    }
     this.#queue(viewport)
     return {
       isElsewhere: isOtherGrid || !isSameBox(before.wanted, viewport.wanted),
@@ -49,12 +56,32 @@ export class Tiles {
     }
   }
 
-  /** Paints the next missing tile, if any. */
-  paintNext(): Patch | undefined {
+  /** Paints the next missing tile, if any. Returns the tiles that the view may show now. */
+  paintNext(): Patch[] {
     const tile = this.#waiting.pop()
-    if (tile === undefined || this.#viewport === undefined) return undefined
+    if (tile === undefined || this.#viewport === undefined) return []
     this.#painted.add(keyOf(tile))
-    return this.#paint(tile, this.#viewport)
+    const patch = this.#paint(tile, this.#viewport)
+    if (this.#held === undefined) return [patch]
+    this.#held.push(patch)
+    return this.#isSeenMissing ? [] : this.release()
+  }
+
+  /** The painted tiles that were waiting for other ones. */
+  release(): Patch[] {
+    const held = this.#held ?? []
+    this.#held = undefined
+    return held
+  }
+
+  #drop(): void {
+    for (const { image } of this.release()) image.close()
+  }
+
+  /** Whether a visible tile is missing. */
+  get #isSeenMissing(): boolean {
+    const { seen } = this.#viewport as ViewportRequest
+    return this.#waiting.some((tile) => intersection(tile, seen) !== undefined)
   }
 
   /** Paints the visible tiles that are missing, so that a view shows a moment as a whole or not at all. */
@@ -81,10 +108,14 @@ export class Tiles {
     })
   }
 
-  /** Queues all tiles again. */
+  /** Queues all tiles again. A view that shows all of them keeps these until it has all visible ones again. */
   restart(): void {
+    if (this.#viewport === undefined) return
+    const isShown = this.#held === undefined && this.#painted.size > 0 && !this.#isSeenMissing
+    this.#drop()
+    if (isShown) this.#held = []
     this.#painted.clear()
-    if (this.#viewport !== undefined) this.#queue(this.#viewport)
+    this.#queue(this.#viewport)
   }
 
   #queue({ seen, wanted }: ViewportRequest): void {

@@ -45,7 +45,7 @@ export function trialOf(
     circle,
     hiddenBy: undefined,
     outline: outlineOf(diagram, tried),
-    area: areaIn(picture, diagram, tried),
+    area: cellArea(diagram, tried, picture.limits),
     taken,
   }
 }
@@ -85,17 +85,11 @@ function affectedCircles({ diagram, tried }: Local): number[] {
   return [...ks]
 }
 
-/** The area of a cell of another diagram, clipped as in the picture. */
-function areaIn({ clip }: Picture, diagram: Diagram, k: number): number {
-  if (clip === undefined) return cellArea(diagram, k)
-  return diagram.cells.exists(k) ? diagram.cellArea(k, { region: clip.region }) : 0
-}
-
 /** Infinite for an unbounded part; NaN if unknown. */
 function takenFrom(picture: Picture, { diagram, tried, indices }: Local, k: number): number {
   const i = indices[k] as number
   const before = picture.areaOf(i)
-  const after = areaIn(picture, diagram, k)
+  const after = cellArea(diagram, k, picture.limits)
   if (before < Number.POSITIVE_INFINITY) return before - after
   if (after < Number.POSITIVE_INFINITY) return Number.POSITIVE_INFINITY
   if (!diagram.cells.isBounded(tried)) return Number.NaN
