@@ -45,9 +45,9 @@ export interface TreemapCell {
  */
 export type TreeWithCells<Node> = Node &
   TreemapCell &
-  (Node extends { readonly children?: infer Children } ? { children?: CellsOf<Children> } : unknown)
-
-type CellsOf<Children> = Children extends readonly (infer Child)[] ? TreeWithCells<Child>[] : Children
+  (Node extends { readonly children?: infer Children }
+    ? { children?: Children extends readonly (infer Child)[] ? TreeWithCells<Child>[] : Children }
+    : unknown)
 
 /**
  * Options of `treemap`.
