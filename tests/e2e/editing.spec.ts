@@ -220,6 +220,7 @@ test('tools: pan moves no circle, Space and the middle button pan, keys choose',
   const view = async () => (await decodeLink(new URL(app.page.url()).hash)).view
   const expectPressed = (name: string) =>
     expect(app.page.getByRole('button', { name })).toHaveAttribute('aria-pressed', 'true')
+  await app.canvas.focus()
   await app.page.keyboard.press('h')
   await expectPressed('Pan')
   await app.drag(from, { x: from.x + 50, y: from.y })
@@ -244,6 +245,7 @@ test('tools: pan moves no circle, Space and the middle button pan, keys choose',
 })
 
 test('help shows what pointer and keys do', async ({ app }) => {
+  await app.canvas.focus()
   await app.page.keyboard.press('?')
   const help = app.page.getByRole('dialog')
   await expect(help).toContainText('Shift + click')

@@ -289,7 +289,8 @@ Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep 
     if (const auto judged = validate(reader.diagram.circles, reader.diagram.weights, reader.diagram.metric); !judged) {
       return errorAtCircle(judged.error(), reader.circleOffsets, name, rest);
     }
-    for (Circle& c : reader.diagram.circles) c = normalized(c, reader.diagram.weights, reader.diagram.metric);
+    const bool haveAreas = isArea(reader.diagram.weights, reader.diagram.metric);
+    for (Circle& c : reader.diagram.circles) c = haveAreas ? roundedWithArea(c) : rounded(c);
     linkSides(reader.diagram);
     return DiagramFile{std::move(reader.diagram), std::move(reader.attributes)};
   });
