@@ -77,7 +77,7 @@ def treemap(
     whole_region = region_of((0, 0, 1, 1) if region is None else None, region)
     assert whole_region is not None
     try:
-        sums, areas, sites, *polygons, _ = _core.treemap(
+        sums, areas, sites, polygons, rings, points, corners, _ = _core.treemap(
             parents,
             numbers,
             whole_region,
@@ -93,7 +93,7 @@ def treemap(
         message = str(error).replace(f"node {node}", repr(list(paths[node])) if node else "the whole region")
         raise CircleVoronoiError(message, error.code) from None
     rows = range(1, len(paths))
-    shapes = shapes_of(nested(*polygons))[1:]
+    shapes = shapes_of(nested(polygons, rings, points, corners))[1:]
     columns: dict[str, Any] = {
         name: [paths[i][level] if level < len(paths[i]) else None for i in rows] for level, name in enumerate(names)
     }
@@ -119,14 +119,14 @@ def _tree(frame: Any, names: Sequence[str], values: str) -> tuple[list[tuple[Any
         if missing.any():
             raise row_error(frame, int(np.argmax(missing)), f"{name} is missing")
         levels.append(frame[name].tolist())
-    rows = list(zip(*levels))
+    paths = list(zip(*levels))
     node_of: dict[tuple[Any, ...], int] = {(): 0}
     for level in range(1, len(names) + 1):
-        for row in rows:
-            node_of.setdefault(row[:level], len(node_of))
+        for path in paths:
+            node_of.setdefault(path[:level], len(node_of))
     sums = np.zeros(len(node_of))
-    for row, number in zip(rows, numbers):
-        sums[node_of[row]] += number
+    for path, number in zip(paths, numbers):
+        sums[node_of[path]] += number
     parents = [-1 if not key else node_of[key[:-1]] for key in node_of]
     return list(node_of), np.array(parents, dtype=np.int32), sums
 
