@@ -30,7 +30,6 @@ export async function benchTreemaps() {
     [300, 17],
     [5000, 17],
     [5000, 71],
-    [1000, 1000],
   ]) {
     const data = treeOf(leaves, perNode)
     const own = measured(data, ours)
