@@ -290,7 +290,7 @@ py::tuple fittedInBox(const Doubles& sites, const Doubles& areas, std::array<dou
 }
 
 /// `previous`: for each node x, y and weight of its earlier site, which are NaN for a new node; no rows without an
-/// earlier treemap. Returns values, areas and sites of the nodes, their polygons as `polygons` does, and the error.
+/// earlier treemap. Returns values, areas and sites of the nodes, and their polygons as `polygons` does.
 py::tuple treemapOf(const Ints& parents, const Doubles& values, const SharedRegion& region, const std::string& metric,
                     std::optional<int> relax, double tolerance, const Doubles& previous) {
   TreemapOptions options;
@@ -312,8 +312,7 @@ py::tuple treemapOf(const Ints& parents, const Doubles& values, const SharedRegi
   return py::make_tuple(arrayOf<double>(std::move(map.values)), arrayOf<double>(std::move(map.areas)),
                         arrayOf<double>(std::move(map.sites)), arrayOf<std::int32_t>(std::move(cells.polygonOffsets)),
                         arrayOf<std::int32_t>(std::move(cells.ringOffsets)),
-                        arrayOf<std::int32_t>(std::move(cells.pointOffsets)), arrayOf<double>(std::move(cells.points)),
-                        map.error);
+                        arrayOf<std::int32_t>(std::move(cells.pointOffsets)), arrayOf<double>(std::move(cells.points)));
 }
 
 }  // namespace

@@ -324,7 +324,6 @@ val treemapValue(std::uintptr_t region, const val& parents, const val& values, c
     result.set("values", float64Array(map->values));
     result.set("areas", float64Array(map->areas));
     result.set("sites", float64Array(map->sites));
-    result.set("relativeError", map->error);
     return result;
   });
 }

@@ -149,7 +149,7 @@ TEST(Treemap, OfConvexRegionsHasConvexCells) {
   }
 }
 
-/// How round cells are on average: 1 for discs.
+/// The mean roundness of the cells of leaves, which is 1 for discs.
 double roundnessOf(const Treemap& map, const Nodes& nodes) {
   double sum = 0;
   double count = 0;

@@ -54,9 +54,9 @@ struct AreaFit {
 
 /// Finds weights for which each site's cell has a given area inside a region. A point belongs to the site with the
 /// smallest distance minus weight, or with Metric::power to that with the smallest squared distance minus weight. The
-/// weights exist for all positive areas that sum to that of the region, and are
-/// unique up to a common constant if the interior of the region is connected. Otherwise some of them may have a range,
-/// as where parts of the region touch in corners only.
+/// weights exist for all positive areas that sum to that of the region, and are unique up to a common constant if the
+/// interior of the region is connected. Otherwise some of them may have a range, as where parts of the region touch in
+/// corners only.
 ///
 /// A region far from the origin is fitted as if it were there, if the differences of coordinates are exact. Areas are
 /// those of exact cells then: vertices of the diagram have the digits of coordinates only, and areas measured with them

@@ -32,9 +32,9 @@ struct TreemapOptions {
   std::optional<int> relax = {};
   /// The largest relative error of the area of each cell, above 0 and below 1.
   double tolerance = 1e-9;
-  /// For each node its site in an earlier treemap with its weight, or nothing if it is new. Sites stay where they were,
-  /// unless they are relaxed or lie outside their parent now, so the treemap changes little if values do. Empty if
-  /// there is no earlier treemap.
+  /// For each node its site in an earlier treemap with its weight, or nothing if it is new. The children of a node stay
+  /// where they were, unless they are relaxed, so the treemap changes little if values do. If one of them is new or
+  /// lies outside the cell of the node now, all of them begin anew. Empty if there is no earlier treemap.
   std::span<const std::optional<Circle>> previous = {};
   /// Called with the number of nodes whose cells are divided, and of all that are to be, whenever it has changed and
   /// after each step in between. To cancel, throw: the exception passes through `treemap`. The callback may call any

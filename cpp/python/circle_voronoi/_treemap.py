@@ -49,7 +49,7 @@ def treemap(
     tolerance : float
         The largest relative error of an area.
     previous : geopandas.GeoDataFrame, optional
-        An earlier result, whose sites stay where they are as far as possible.
+        An earlier result. The cells below a path keep its sites, unless one of them is new or lies outside now.
 
     Returns
     -------
@@ -77,7 +77,7 @@ def treemap(
     whole_region = region_of((0, 0, 1, 1) if region is None else None, region)
     assert whole_region is not None
     try:
-        sums, areas, sites, polygons, rings, points, corners, _ = _core.treemap(
+        sums, areas, sites, polygons, rings, points, corners = _core.treemap(
             parents,
             numbers,
             whole_region,

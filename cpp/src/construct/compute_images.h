@@ -13,8 +13,8 @@ namespace circle_voronoi {
 
 using ComputeFunction = Result<Diagram>(std::span<const Circle>, const Options&);
 
-/// Does what `computePeriodic` promises with a function that computes the diagrams of circles and images, for what does
-/// without some metrics.
+/// Computes a periodic diagram as `computePeriodic` promises. `compute` computes the diagrams of circles and images: a
+/// module without some metrics passes a function that has no code for them.
 CIRCLE_VORONOI_API Result<PeriodicDiagram> computeImages(std::span<const Circle> circles, const Lattice& lattice,
                                                          const Options& options, ComputeFunction& compute);
 

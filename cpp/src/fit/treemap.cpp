@@ -160,7 +160,7 @@ class TreemapMaker {
       map_.areas[child] = map_.areas[node];
       map_.sites[child] = {map_.sites[node].x, map_.sites[node].y, 0};
       polygons_[child] = polygons_[node];
-      regions_[child] = region;
+      if (tree_.isDivided(child)) regions_[child] = std::move(regions_[node]);
       return;
     }
     std::vector<double> values;

@@ -207,7 +207,7 @@ class Triangulator {
   int hint_ = 0;
 };
 
-/// Numbers in rounds, each about twice as large as all before together, and each in increasing order (N. Amenta, S.
+/// Numbers in rounds, each about as large as all before together, and each in increasing order (N. Amenta, S.
 /// Choi, G. Rote, "Incremental constructions con BRIO", 2003): of sites in spatial order, row by row, the last would
 /// take the faces of all before again and again.
 std::vector<int> inRounds(std::size_t count) {

@@ -12,8 +12,8 @@ import { type DiagramEditor, type EditorOptions, editorStart } from './editor.ts
 import { judgedCircles, type Verifiable } from './judged-arrays.ts'
 import { editorsOf } from './module-editor.ts'
 import { periodicOf } from './module-periodic.ts'
-import { ACCESSORS, checkOptions, type Options, type Progress } from './options.ts'
-import { reporting } from './reporting.ts'
+import { ACCESSORS, checkOptions, type Options } from './options.ts'
+import { goingOn, reporting } from './reporting.ts'
 import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
@@ -136,12 +136,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
   const told = <Value>(options: Options, run: (options: WasmOptions) => Value): Value => {
     const { weights, method, candidates, samples, resample } = options
     return reporting(options.progress, (reporter) => {
-      const progress =
-        reporter &&
-        ((...told: Parameters<Progress>) => {
-          reporter.tell(...told)
-          return !reporter.isStopped
-        })
+      const progress = reporter && goingOn(reporter)
       return run({ weights, method, candidates, samples, resample, progress })
     })
   }

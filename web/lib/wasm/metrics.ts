@@ -8,8 +8,8 @@ import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
 import { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
 import type { CircleVoronoi } from './library.ts'
 import { periodicOf } from './module-periodic.ts'
-import { ACCESSORS, checkOptions, type Options } from './options.ts'
-import { type Reporter, reporting } from './reporting.ts'
+import { ACCESSORS, checkOptions, type Options, type Progress } from './options.ts'
+import { reporting } from './reporting.ts'
 import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from './wasm.ts'
 
 /**
@@ -154,8 +154,11 @@ export async function metricsOf(
       if (metric === 'circles') return computePeriodic(coordinates, lattice, others)
       const { weights = false, progress } = others
       if (metric === 'power') {
-        const run = (reporter: Reporter | undefined) => module.periodicPower(coordinates, periods, weights, reporter)
-        return periodicOf(unwrap(reporting(progress, run)), coordinates.length / 3, metric)
+        const computed = reporting<Parameters<Progress>, ReturnType<typeof module.periodicPower>>(
+          progress,
+          (reporter) => module.periodicPower(coordinates, periods, weights, reporter),
+        )
+        return periodicOf(unwrap(computed), coordinates.length / 3, metric)
       }
       const { circles: valid } = unwrap(module.validCircles(coordinates, weights))
       const points = valid.map((value, k) => (k % 3 === 2 ? 0 : value))

@@ -18,6 +18,7 @@ import {
 } from './fit.ts'
 import { judgedArrays } from './judged-arrays.ts'
 import { periodicOf } from './module-periodic.ts'
+import { goingOn, type Reporter, reporting } from './reporting.ts'
 import {
   type TreemapArrays,
   type TreemapInput,
@@ -248,28 +249,18 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
   }
 }
 
-/**
- * Runs a computation that calls `tell` again and again. Where a listener throws or a signal is aborted, the computation
- * ends with that reason. No exception passes through WebAssembly.
- */
+/** Runs a computation that a listener follows, by calls of `tell`, and that it or a signal may end. */
 function whileTelling<Told extends unknown[], Value>(
   listener: ((...told: Told) => void) | undefined,
   signal: AbortSignal | undefined,
   run: (tell: (...told: Told) => boolean) => Value,
 ): Value {
   signal?.throwIfAborted()
-  let thrown: { readonly reason: unknown } | undefined
-  const value = run((...told) => {
-    try {
-      listener?.(...told)
-      signal?.throwIfAborted()
-    } catch (reason) {
-      thrown = { reason }
-    }
-    return thrown === undefined
-  })
-  if (thrown !== undefined) throw (thrown as { readonly reason: unknown }).reason
-  return value
+  const told = (...all: Told) => {
+    listener?.(...all)
+    signal?.throwIfAborted()
+  }
+  return reporting(told, (reporter) => run(goingOn(reporter as Reporter<Told>)))
 }
 
 /** A clipped diagram in the module's memory. */

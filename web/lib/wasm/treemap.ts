@@ -70,8 +70,9 @@ export interface TreemapOptions {
   /** The largest relative error of an area. Default: 1e-9. */
   readonly tolerance?: number | undefined
   /**
-   * The root of an earlier treemap. Sites stay where they were as far as possible, so the treemap changes little if
-   * values do. Its nodes are found by their keys, from the root down.
+   * The root of an earlier treemap. The children of a node stay where they were, so the treemap changes little if values
+   * do. If one of them is new or lies outside now, all of them begin anew. Earlier nodes are found by their keys, from
+   * the root down.
    */
   readonly previous?: TreeNode | undefined
   /**
@@ -106,7 +107,6 @@ export interface TreemapArrays extends ClippedPolygons {
   readonly areas: Float64Array
   /** x, y and weight of each. */
   readonly sites: Float64Array
-  readonly relativeError: number
 }
 
 /** The nodes of a tree in an order in which parents come first. */
