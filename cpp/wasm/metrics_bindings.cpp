@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "certify_power.h"
 #include "compute_images.h"
 #include "power_diagram.h"
 #include "validate.h"
@@ -56,6 +57,14 @@ val periodicPowerValue(const val& coordinates, const val& lattice, bool weights,
   });
 }
 
+/// `value` is a diagram as `compute` in web/lib returns it.
+val certifyPowerValue(const val& value) {
+  return valueOf([&] {
+    const Result<Certificate> certificate = certifyPower(diagramFrom(value));
+    return certificate.ok() ? certificateValue(certificate.value()) : errorValue(certificate.error());
+  });
+}
+
 /// Checks circles, and returns them rounded.
 val validCirclesValue(const val& coordinates, bool weights) {
   return valueOf([&] {
@@ -72,5 +81,6 @@ val validCirclesValue(const val& coordinates, bool weights) {
 EMSCRIPTEN_BINDINGS(circle_voronoi_metrics) {
   emscripten::function("powerDiagram", &powerDiagramValue);
   emscripten::function("periodicPower", &periodicPowerValue);
+  emscripten::function("certifyPower", &certifyPowerValue);
   emscripten::function("validCircles", &validCirclesValue);
 }

@@ -378,6 +378,7 @@ const ROWS: readonly Row[] = [
   row(library, 'trace', 'circles', `${COMPUTING} ${METHODS} edits`),
   row(library, 'edit', 'circles', EDITING),
   row(library, 'certify', 'data', 'none'),
+  row(metrics, 'certify', 'data', 'none'),
   row(library, 'finalCells', 'data known'),
   row(worker, 'compute', 'sent', `${IN_THREAD} metric:choice`),
   row(worker, 'computePeriodic', 'sent lattice', `${IN_THREAD} metric:choice`),
@@ -584,7 +585,8 @@ it('each array of a diagram is of its type and length where a core reads it', as
     const [type, other] = name === 'circles' || name === 'vertices' ? types : ([types[1], types[0]] as const)
     for (const array of [undefined, [], new other(size), ...(size === 1 ? [] : [new type(size + 1)])]) {
       const data = { ...diagram, [name]: array } as never
-      for (const act of [library.certify, () => library.finalCells(data, KNOWN), files.writeDiagram]) {
+      const proof = () => metrics.certify(Object.assign({}, data, { metric: 'power' }))
+      for (const act of [library.certify, proof, () => library.finalCells(data, KNOWN), files.writeDiagram]) {
         const message = expect.stringContaining(name)
         expect(await errorOf(() => (act as Act)(data), [])).toMatchObject({ code: 'badInput', message })
       }

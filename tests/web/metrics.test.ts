@@ -10,7 +10,7 @@ import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf } from './oracle.ts'
 import { tuple } from './tuples.ts'
 
-const { compute } = await loadMetrics({ library })
+const { compute, certify } = await loadMetrics({ library })
 
 type Measured = Pick<Diagram, 'circles' | 'metric' | 'weights'>
 
@@ -177,6 +177,44 @@ it('tells its progress, and ends where a callback throws', () => {
     }
     expect(() => compute(circles, { metric, progress })).toThrow(mine)
   }
+})
+
+describe('diagrams from elsewhere', () => {
+  it('have the certificate of those computed', () => {
+    fc.assert(
+      fc.property(input(anyCircles), fc.constantFrom('circles', 'centers', 'power'), ({ circles, weights }, metric) => {
+        const { certificate, ...diagram } = compute(circles, { metric, weights })
+        expect(certify(diagram)).toEqual(certificate)
+      }),
+      { numRuns: 60 },
+    )
+  })
+
+  it('have the flaw of each wrong array', () => {
+    // The last circle has no cell of the power diagram.
+    const circles = Float64Array.of(0, 0, 3, 10, 0, 1, 4, 7, 0, 5, -8, 2, 4, 2, 1.5, 2, 1, 0.5)
+    const right = { ...compute(circles, { metric: 'power' }) }
+    expect([...right.hidden].slice(0, 1)).toEqual([5])
+    expect(certify(right).message).toBe(right.certificate.message)
+    const changed = <List extends Float64Array | Int32Array>(list: List, k: number, value: number) => {
+      const copy = list.slice() as List
+      copy[k] = value
+      return copy
+    }
+    const vertices = changed(right.vertices, 0, (right.vertices[0] as number) + 1e-6)
+    const radii = changed(right.vertices, 2, (right.vertices[2] as number) + 1e-6)
+    const larger = changed(right.circles, 17, 5)
+    const other = compute(changed(right.circles, 14, 0.1), { metric: 'power' })
+    expect(certify({ ...right, vertices })).toMatchObject({ flaw: 'vertexMisplaced', vertex: 0 })
+    expect(certify({ ...right, vertices: radii })).toMatchObject({ flaw: 'vertexMisplaced', vertex: 0 })
+    expect(certify({ ...right, circles: larger })).toMatchObject({ flaw: 'hiddenWithoutHider', circle: 5 })
+    expect(certify({ ...right, hidden: changed(right.hidden, 1, 5) })).toMatchObject({ certified: false })
+    expect(certify({ ...other, circles: right.circles })).toMatchObject({ certified: false })
+    expect(certify({ ...right, weights: true })).toMatchObject({ certified: false })
+    expect(certify({ ...right, metric: 'circles' })).toMatchObject({ certified: false })
+    const endless = changed(right.circles, 2, Number.NaN)
+    expect(errorOf(() => certify({ ...right, circles: endless }))).toMatchObject({ code: 'nonFinite', circle: 0 })
+  })
 })
 
 it('has its radical axis where the powers are equal', () => {

@@ -9,7 +9,7 @@ import type { DiagramData, Metric } from '../base/types.ts'
  * @category Loading
  */
 export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats'> & {
-  /** `circles` (default) or `centers`. */
+  /** Default: `circles`. A power diagram needs the `certify` of `loadMetrics`. */
   readonly metric?: Metric | undefined
   readonly weights?: boolean | undefined
 }

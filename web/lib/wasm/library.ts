@@ -109,7 +109,7 @@ export interface CircleVoronoi {
    * centers, whatever made it. Its certificate is not read. `compute` has already checked its results.
    *
    * @throws CircleVoronoiError if an array has the wrong type or length, a circle is invalid, or the diagram is a power
-   *   diagram
+   *   diagram, which `certify` of `loadMetrics` checks
    */
   certify(diagram: Verifiable): Certificate
   /**

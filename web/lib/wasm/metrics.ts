@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseOption } from '../base/check.ts'
+import { checkNoOptions, refuseOption } from '../base/check.ts'
 import { type Accessors, type Circles, coordinatesOf } from '../base/coordinates.ts'
 import { at } from '../base/diagram-data.ts'
-import { CANDIDATES, type DiagramData, type Float64s, METHODS, METRICS, type Metric } from '../base/types.ts'
+import {
+  CANDIDATES,
+  type Certificate,
+  type DiagramData,
+  type Float64s,
+  METHODS,
+  METRICS,
+  type Metric,
+} from '../base/types.ts'
 import { ComputedDiagram } from '../diagram/computed-diagram.ts'
 import { type Lattice, latticeNumbers } from '../diagram/lattice.ts'
 import { PeriodicDiagram } from '../diagram/periodic-diagram.ts'
+import { judgedArrays, type Verifiable } from './judged-arrays.ts'
 import type { CircleVoronoi } from './library.ts'
 import { periodicOf } from './module-periodic.ts'
 import { ACCESSORS, checkOptions, type Options, type Progress } from './options.ts'
@@ -68,6 +77,13 @@ export interface Metrics {
    * @throws CircleVoronoiError as `compute` and `computePeriodic` of the library
    */
   computePeriodic(circles: Circles, lattice: Lattice, options?: MetricOptions): PeriodicDiagram
+  /**
+   * Checks in linear time, with exact signs, whether a diagram by any metric is that of its `circles`, as `certify` of the
+   * library does.
+   *
+   * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is invalid
+   */
+  certify(diagram: Verifiable): Certificate
 }
 
 /** The script of the module, as written by Emscripten. */
@@ -111,7 +127,7 @@ export async function metricsOf(
   wasm: CompiledWasm | Promise<CompiledWasm>,
   library: CircleVoronoi | Promise<CircleVoronoi>,
 ): Promise<Metrics> {
-  const [compiled, { compute, computePeriodic }] = await Promise.all([wasm, library])
+  const [compiled, { compute, computePeriodic, certify }] = await Promise.all([wasm, library])
   const module = (await instantiate(createModule, compiled)) as WasmMetricsModule
   newest = compiled
 
@@ -168,6 +184,11 @@ export async function metricsOf(
         k % 3 === 2 ? at(valid, 3 * at(images.circleOf, (k - 2) / 3) + 2) : value,
       )
       return new PeriodicDiagram({ ...images, diagram: { ...diagram, metric, weights, circles: radii } })
+    },
+    certify(diagram: Verifiable, ...others: readonly unknown[]) {
+      checkNoOptions(others, 'certify')
+      const { metric }: Partial<Verifiable> = Object(diagram)
+      return metric === 'power' ? unwrap(module.certifyPower(judgedArrays(diagram))) : certify(diagram)
     },
   }
 }

@@ -89,6 +89,7 @@ interface WasmMetricsModule {
     weights: boolean,
     reporter: import('./reporting.ts').Reporter | undefined,
   ): WasmError | WasmPeriodicDiagram
+  certifyPower(diagram: JudgedArrays): WasmError | import('../base/types.ts').Certificate
   /** Returns the circles rounded. */
   validCircles(
     circles: Float64Array,
