@@ -14,5 +14,6 @@ void addEditCommand(CLI::App& program);
 void addFitCommand(CLI::App& program);
 void addGenerateCommand(CLI::App& program);
 void addTileCommand(CLI::App& program);
+void addTreemapCommand(CLI::App& program);
 
 }  // namespace circle_voronoi::cli

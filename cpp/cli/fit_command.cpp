@@ -3,7 +3,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,21 +12,17 @@
 #include "box.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/io.h"
-#include "circle_voronoi/metric.h"
 #include "circles_input.h"
 #include "command_error.h"
 #include "commands.h"
 #include "files.h"
+#include "metrics.h"
 #include "output.h"
 #include "progress_line.h"
 #include "whole_number.h"
 
 namespace circle_voronoi::cli {
 namespace {
-
-/// The metrics with weights.
-const std::map<std::string, Metric> kMetrics = {{std::string(metricName(Metric::circles)), Metric::circles},
-                                                {std::string(metricName(Metric::power)), Metric::power}};
 
 struct FitArguments {
   CirclesInput input;
@@ -82,7 +77,7 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
   project(arguments.projection, file.circles, arguments.output, name, progress);
 
   AreaFitOptions options;
-  options.metric = kMetrics.at(arguments.metric);
+  options.metric = kWeightedMetrics.at(arguments.metric);
   options.shares = arguments.shares;
   options.tolerance = arguments.areaTolerance;
   options.maxSteps = arguments.maxSteps;
@@ -124,7 +119,7 @@ void addFitCommand(CLI::App& program) {
       ->add_option("--metric", arguments->metric,
                    "The distance: circles |p - c| - weight, or power |p - c|^2 - weight, with straight borders")
       ->type_name("METRIC")
-      ->check(CLI::IsMember(&kMetrics))
+      ->check(CLI::IsMember(&kWeightedMetrics))
       ->capture_default_str();
   command->add_flag("--shares", arguments->shares, "The areas are shares of the area of the region or box");
   command->add_option("--area-tolerance", arguments->areaTolerance, "The largest relative error allowed for each area")

@@ -62,6 +62,7 @@ int main(int argumentCount, char** arguments) {
     addFitCommand(program);
     addGenerateCommand(program);
     addTileCommand(program);
+    addTreemapCommand(program);
     program.footer(footer());
     checkCommand(program, argumentCount, arguments);
     try {

@@ -111,13 +111,22 @@ void addOutputFile(CLI::App& command, Output& output) {
       ->capture_default_str();
 }
 
-void addOutputOptions(CLI::App& command, Output& output) {
-  addOutputFile(command, output);
+void addFormatOption(CLI::App& command, Output& output, const std::vector<std::string>& formats) {
   command
       .add_option("--format", output.format,
                   "The format of the output, see below; by default the extension of its file, or json if it has none")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember(kFormats));
+      ->check(CLI::IsMember(formats));
+}
+
+void addRegionOptions(CLI::App& command, Output& output, const std::string& description) {
+  command.add_option("--region", output.regionFile, description)->type_name("FILE");
+  command.add_flag("--dissolve", output.dissolve, "Merge polygons of the region that share borders or overlap");
+}
+
+void addOutputOptions(CLI::App& command, Output& output) {
+  addOutputFile(command, output);
+  addFormatOption(command, output, kFormats);
   command
       .add_option(
           "--bounds", output.bounds,
@@ -127,11 +136,9 @@ void addOutputOptions(CLI::App& command, Output& output) {
         Box box;
         return readBox(text, box);
       });
-  command
-      .add_option("--region", output.regionFile,
-                  "A file with the region to clip to, as GeoJSON or well-known text (svg, geojson, geojsonl, wkt, obj)")
-      ->type_name("FILE");
-  command.add_flag("--dissolve", output.dissolve, "Merge polygons of the region that share borders or overlap");
+  addRegionOptions(
+      command, output,
+      "A file with the region to clip to, as GeoJSON or well-known text (svg, geojson, geojsonl, wkt, obj)");
   command
       .add_option("--tolerance", output.tolerance,
                   "The largest distance between the output and the true curves (svg, geojson, geojsonl, wkt, obj); by "

@@ -39,6 +39,9 @@ struct Output {
 };
 
 void addOutputFile(CLI::App& command, Output& output);
+void addFormatOption(CLI::App& command, Output& output, const std::vector<std::string>& formats);
+/// Adds `--region` and `--dissolve`.
+void addRegionOptions(CLI::App& command, Output& output, const std::string& description);
 /// Adds these options to a command.
 void addOutputOptions(CLI::App& command, Output& output);
 

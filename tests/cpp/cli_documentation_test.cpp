@@ -18,7 +18,8 @@ namespace {
 
 using Words = std::set<std::string>;
 
-const std::vector<std::string> kCommands = {"certify", "compute", "convert", "edit", "fit", "generate", "tile"};
+const std::vector<std::string> kCommands = {"certify", "compute",  "convert", "edit",
+                                            "fit",     "generate", "tile",    "treemap"};
 
 Words wordsOf(const std::string& text) {
   std::istringstream in(text);

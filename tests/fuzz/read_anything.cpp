@@ -11,6 +11,7 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/table.h"
 #include "circle_voronoi/tile.h"
 #include "utf8.h"
 
@@ -117,12 +118,34 @@ std::optional<std::string> tryDiagram(std::string_view text) {
   return std::nullopt;
 }
 
+/// A table comes back from each format that keeps types.
+std::optional<std::string> tryTable(std::string_view text) {
+  const std::vector<std::string> names = {"x", "r"};
+  const auto table = readTable(text, kName, names);
+  if (!table) {
+    if (isOneLine(table.error(), text)) return std::nullopt;
+    return "the error of readTable is not one line of text: " + table.error().message;
+  }
+  const auto isTheSame = [&](const std::string& copy) {
+    const auto again = readTable(copy, kName, names);
+    return again && std::ranges::equal(again->columns, table->columns, {}, &Column::values, &Column::values);
+  };
+  ClippedPolygons polygons;
+  polygons.polygonOffsets.resize(table->lines.size() + 1);
+  for (const auto write : {writeTableJson, writeTableGeoJson}) {
+    if (!isTheSame(written(write, table->columns, polygons))) return "a table does not come back";
+  }
+  (void)readTable(written(writeTableCsv, table->columns), kName, names);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> readAnything(std::string_view text) {
   (void)holdsDiagram(text);
   auto problem = tryCircles(text);
   if (!problem) problem = tryTile(text);
+  if (!problem) problem = tryTable(text);
   return problem ? problem : tryDiagram(text);
 }
 

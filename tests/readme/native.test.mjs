@@ -66,6 +66,7 @@ function check(command, printed) {
   else if (command.includes('--lattice')) checkRepeated(output, text)
   else if (command.includes('--sphere')) checkStations(output, text)
   else if (command.includes(' fit ')) checkAreas(JSON.parse(text))
+  else if (command.includes(' treemap ')) checkTreemap(output, text)
   else if (output.endsWith('.geojson')) {
     assert.equal(JSON.parse(text).features.length, command.includes('shops') ? 3 : 1000)
   } else if (output.endsWith('.json')) assert.equal(JSON.parse(text).circles.length, 1000)
@@ -100,6 +101,16 @@ function checkAreas({ features }) {
     ['Ash', 'Birch', 'Cedar'],
   )
   for (const { properties } of features) assert.ok(Math.abs(properties.area / properties.people - 16) < 1e-7)
+}
+
+/** Checks the cells of two lands and three towns: a table, a drawing, or features. */
+function checkTreemap(output, text) {
+  if (output.endsWith('.csv'))
+    return assert.match(text, /^land,town,y2020,level,area,x,y,weight\nNorth,,8,1,76\.(8|79999)/)
+  if (output.endsWith('.svg')) return assert.match(text, /^<svg [\s\S]*<title>land: South, town: Cedar, y2030: 4</)
+  const { features } = JSON.parse(text)
+  const shares = features.map(({ properties }) => Math.round(properties.area * 13 * 1e6) / 1e6)
+  assert.deepEqual(shares, [9, 4, 6, 3, 4])
 }
 
 describe('More circles than fit into memory', () => {

@@ -37,7 +37,7 @@ describe('prints the same as the native program', AT_ONCE, () => {
     await both(['convert', '-', '--format', 'csv'], diagram.subarray(0, 5000))
   })
 
-  for (const command of ['compute', 'convert', 'generate', 'tile', 'certify']) {
+  for (const command of ['compute', 'convert', 'generate', 'tile', 'treemap', 'certify']) {
     it(`the help of ${command}`, async () => assert.equal((await both([command, '--help'])).status, 0))
   }
 

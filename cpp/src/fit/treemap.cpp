@@ -12,6 +12,7 @@
 #include "circle_voronoi/fit_areas.h"
 #include "divide_region.h"
 #include "guarded.h"
+#include "named_option.h"
 #include "number_text.h"
 
 namespace circle_voronoi {
@@ -234,7 +235,10 @@ class TreemapMaker {
 void checkOptions(const TreemapOptions& options) {
   const auto refuse = [](std::string message) { throw ThrownError{{ErrorCode::badOption, kNone, std::move(message)}}; };
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
-    refuse("The option tolerance must be above 0 and below 1 (got " + numberText(options.tolerance) + ").");
+    Error error = {ErrorCode::badOption, kNone, ""};
+    append(error,
+           {"", "tolerance", " must be above 0 and below 1 (got " + numberText(options.tolerance) + ").", "tolerance"});
+    throw ThrownError{std::move(error)};
   }
   if (options.relax.value_or(0) < 0) {
     refuse("The option relax must not be negative (got " + std::to_string(*options.relax) + ").");

@@ -17,6 +17,36 @@
 
 namespace circle_voronoi {
 
+/// Returns a text as a field of a table, in quotation marks if it needs them.
+inline std::string csvText(const std::string& text) {
+  const bool isPlain = !text.empty() && text.find_first_of(",\"\r\n") == text.npos && text.front() != ' ' &&
+                       text.back() != ' ' && text.front() != '\t' && text.back() != '\t' && text.front() != '#';
+  if (isPlain) return text;
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"') result += '"';
+    result += c;
+  }
+  return result + "\"";
+}
+
+/// Whether a field is text even in a column whose other fields are numbers or booleans.
+inline bool isCsvText(const std::string& text) {
+  return text.find_first_of(",\"\r\n") != text.npos ||
+         !(isJsonNumber(text) || isMissingNumber(text) || text == "true" || text == "false");
+}
+
+/// Returns a JSON value as a field that reads back as the same value.
+inline std::string csvField(std::string_view value) {
+  if (value == "null" || value.empty()) return "";
+  if (value.front() != '"')
+    return value.front() == '{' || value.front() == '[' ? csvText(std::string(value)) : std::string(value);
+  JsonReader reader(value);
+  std::string text(reader.string());
+  // A text that would read as another value is quoted.
+  return isCsvText(text) ? csvText(text) : "\"" + text + "\"";
+}
+
 /// The attributes of circles as columns of a table.
 class AttributeColumns {
  public:
@@ -35,16 +65,16 @@ class AttributeColumns {
   }
 
   void writeHeader(Writer& out) const {
-    for (const std::string& name : names_) out << "," << quoted(name);
+    for (const std::string& name : names_) out << "," << csvText(name);
   }
 
   void writeRow(Writer& out, std::size_t i) {
     if (names_.empty()) return;
     for (std::string& field : fields_) field.clear();
-    if (hasIds_) fields_[0] = fieldOf(entryOf(attributes_.ids, i));
+    if (hasIds_) fields_[0] = csvField(entryOf(attributes_.ids, i));
     if (hasHeights_) fields_[hasIds_ ? 1 : 0] = entryOf(attributes_.heights, i);
     visit(i, [&](std::string_view name, std::string_view value) {
-      fields_[places_.at(std::string(name))] = fieldOf(value);
+      fields_[places_.at(std::string(name))] = csvField(value);
     });
     for (const std::string& field : fields_) out << "," << field;
   }
@@ -71,35 +101,6 @@ class AttributeColumns {
     if (!isNew) return;
     names_.emplace_back(name);
     fields_.emplace_back();
-  }
-
-  static std::string quoted(const std::string& text) {
-    const bool isPlain = !text.empty() && text.find_first_of(",\"\r\n") == text.npos && text.front() != ' ' &&
-                         text.back() != ' ' && text.front() != '\t' && text.back() != '\t' && text.front() != '#';
-    if (isPlain) return text;
-    std::string result = "\"";
-    for (const char c : text) {
-      if (c == '"') result += '"';
-      result += c;
-    }
-    return result + "\"";
-  }
-
-  /// Writes a JSON value as a field that reads back as the same value.
-  static std::string fieldOf(std::string_view value) {
-    if (value == "null" || value.empty()) return "";
-    if (value.front() != '"')
-      return value.front() == '{' || value.front() == '[' ? quoted(std::string(value)) : std::string(value);
-    JsonReader reader(value);
-    std::string text(reader.string());
-    // A text that would read as another value is quoted.
-    return isText(text) ? quoted(text) : "\"" + text + "\"";
-  }
-
-  /// Whether a field is text even in a column whose other fields are numbers or booleans.
-  static bool isText(const std::string& text) {
-    return text.find_first_of(",\"\r\n") != text.npos ||
-           !(isJsonNumber(text) || isMissingNumber(text) || text == "true" || text == "false");
   }
 
   const CircleAttributes& attributes_;

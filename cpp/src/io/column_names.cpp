@@ -24,6 +24,11 @@ bool isSameName(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, {}, lower, lower);
 }
 
+bool isNameOfColumn(std::string_view name, std::string_view column) {
+  name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
+  return isSameName(name.substr(0, name.find_last_not_of(" \t") + 1), column);
+}
+
 bool areDegrees(std::string_view x, std::string_view y) {
   constexpr std::array<std::string_view, 4> kLongitudes = {"lon", "long", "lng", "longitude"};
   constexpr std::array<std::string_view, 2> kLatitudes = {"lat", "latitude"};

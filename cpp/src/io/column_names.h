@@ -15,6 +15,9 @@ namespace circle_voronoi {
 /// Returns whether two names are equal, ignoring the case of ASCII letters.
 bool isSameName(std::string_view a, std::string_view b);
 
+/// Returns whether a column is called so. The name of a column may have white space inside its quotation marks.
+bool isNameOfColumn(std::string_view name, std::string_view column);
+
 /// Returns whether x and y have names of longitude and latitude.
 bool areDegrees(std::string_view x, std::string_view y);
 

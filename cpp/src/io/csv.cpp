@@ -205,6 +205,40 @@ CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& column
   return layout;
 }
 
+/// Returns the layout that `layout` finds with the first record and the first separator for which there is one; nothing
+/// if there is no record. Throws ReadError `problem`, with the widest first record, if no separator gives a layout.
+template <class Layout, class Problem>
+std::optional<CsvLayout> layoutBySeparator(std::string_view text, bool isWhole, Layout layout, Problem problem) {
+  std::optional<ReadError> failure;
+  std::optional<CsvTable> widest;
+  for (const char separator : kSeparators) {
+    CsvTable table(text, separator, isWhole);
+    try {
+      if (!table.next()) return std::nullopt;
+    } catch (const ReadError& reason) {  // quotation marks mean something else with another separator
+      if (!failure) failure = reason;
+      continue;
+    }
+    if (auto found = layout(table)) return found;
+    const std::size_t width = filled(table.fields()).size();
+    const std::size_t widestWidth = widest ? filled(widest->fields()).size() : 0;
+    if (width > widestWidth || (width == widestWidth && separator == kDefaultSeparator)) widest = table;
+  }
+  if (!widest) throw *failure;
+  throw problem(*widest);
+}
+
+/// Returns the number of fields of a row. Throws ReadError if it does not fit the layout.
+std::size_t countOfFields(const CsvTable& table, const CsvLayout& layout) {
+  const Fields fields = table.fields();
+  const std::size_t width = layout.width;
+  const std::size_t count = fields.size() > width ? filled(fields).size() : fields.size();
+  if (layout.mayBeShort ? count <= width : count == width) return count;
+  throw ReadError{table.offset(), layout.mayBeShort ? "there are " + std::to_string(count) + " fields in " +
+                                                          std::to_string(width) + " columns."
+                                                    : numbersExpected(layout.separator, width > 2)};
+}
+
 /// Reads a whole number from 0 up to `most` into `value`; returns the problem if the field is not one.
 std::optional<std::string> readCount(const CsvField& field, std::int64_t most, std::int64_t& value) {
   const char* end = field.text.data() + field.text.size();
@@ -217,24 +251,45 @@ std::optional<std::string> readCount(const CsvField& field, std::int64_t most, s
 
 std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& options, bool isWhole, bool isOfTile) {
   const ColumnNames names(options);
-  std::optional<ReadError> failure;
-  std::optional<CsvTable> widest;
-  for (const char separator : kSeparators) {
-    CsvTable table(text, separator, isWhole);
-    try {
-      if (!table.next()) return std::nullopt;
-    } catch (const ReadError& reason) {  // quotation marks mean something else with another separator
-      if (!failure) failure = reason;
-      continue;
-    }
+  const auto layout = [&](const CsvTable& table) -> std::optional<CsvLayout> {
     const auto columns = columnsOf(table, names);
-    if (columns || (!names.areGiven() && isCircle(table, names))) return layoutFrom(table, columns, names, isOfTile);
-    const std::size_t width = filled(table.fields()).size();
-    const std::size_t widestWidth = widest ? filled(widest->fields()).size() : 0;
-    if (width > widestWidth || (width == widestWidth && separator == kDefaultSeparator)) widest = table;
+    if (!columns && (names.areGiven() || !isCircle(table, names))) return std::nullopt;
+    return layoutFrom(table, columns, names, isOfTile);
+  };
+  return layoutBySeparator(text, isWhole, layout, [&](const CsvTable& table) { return problemOf(table, names); });
+}
+
+ParsedRows readCsvRows(std::string_view text, std::span<const std::string> columns) {
+  const auto missingIn = [&](const CsvTable& table) {
+    return std::ranges::find_if(columns, [&](const std::string& column) {
+      return std::ranges::none_of(table.fields(),
+                                  [&](const CsvField& field) { return isNameOfColumn(textOf(field), column); });
+    });
+  };
+  const auto layoutWith = [&](const CsvTable& table) -> std::optional<CsvLayout> {
+    if (missingIn(table) != columns.end()) return std::nullopt;
+    CsvLayout layout;
+    layout.separator = table.separator();
+    layout.hasHeader = true;
+    layout.mayBeShort = true;
+    layout.width = table.fields().size();
+    layout.columns.fill(kNoColumn);
+    return layout;
+  };
+  const auto layout = layoutBySeparator(text, true, layoutWith, [&](const CsvTable& table) {
+    return ReadError{table.offset(), "no column is called " + *missingIn(table) + ", only " +
+                                         listOfFields(filled(table.fields())) + "."};
+  });
+  if (!layout) throw ReadError{0, "the text is empty but for comments."};
+  ParsedRows rows;
+  CsvTable table(text, layout->separator);
+  (void)table.next();
+  while (table.next()) {
+    (void)countOfFields(table, *layout);
+    rows.offsets.push_back(table.offset());
   }
-  if (!widest) throw *failure;
-  throw problemOf(*widest, names);
+  rows.properties = attributesOf(text, *layout, 0, {}).properties;
+  return rows;
 }
 
 std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& value) {
@@ -272,14 +327,7 @@ std::size_t CsvRowReader::read(std::string_view text, ParsedCircles& circles, bo
   isPastHeader_ = true;
   while (table.next()) {
     const Fields fields = table.fields();
-    const std::size_t width = layout_.width;
-    const std::size_t count = fields.size() > width ? filled(fields).size() : fields.size();
-    const bool isRow = layout_.mayBeShort ? count <= width : count == width;
-    if (!isRow) {
-      throw ReadError{table.offset(), layout_.mayBeShort ? "there are " + std::to_string(count) + " fields in " +
-                                                               std::to_string(width) + " columns."
-                                                         : numbersExpected(layout_.separator, width > 2)};
-    }
+    const std::size_t count = countOfFields(table, layout_);
     const auto fieldOf = [&](std::size_t column) { return column < count ? fields[column] : CsvField{}; };
     if (!skipsInvalid_) {
       readCircle(table, fieldOf, circles);

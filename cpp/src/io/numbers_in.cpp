@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +15,7 @@ namespace {
 std::optional<double> numberNamed(const std::string& members, std::string_view column) {
   std::optional<double> number;
   visitMembers(members, [&](std::string_view name, std::string_view value) {
-    // A name of a table may have white space inside its quotation marks.
-    name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
-    name = name.substr(0, name.find_last_not_of(" \t") + 1);
-    if (number || !isSameName(name, column)) return;
+    if (number || !isNameOfColumn(name, column)) return;
     if (value.size() > 2 && value.starts_with('"')) value = value.substr(1, value.size() - 2);
     if (isJsonNumber(value)) number = JsonReader(value).number();
   });

@@ -47,15 +47,27 @@ Error errorAt(std::string_view name, std::string_view text, const ReadError& fai
   return error;
 }
 
-std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadError> failures) {
-  std::vector<Error> errors;
-  std::size_t lines = 0;
+std::vector<std::size_t> linesAt(std::string_view text, std::span<const std::size_t> offsets) {
+  std::vector<std::size_t> lines;
+  std::size_t line = 1;
   std::size_t counted = 0;
-  for (ReadError failure : failures) {
-    lines += lineEndsBetween(text, counted, failure.offset);
-    counted = failure.offset;
+  for (const std::size_t offset : offsets) {
+    line += lineEndsBetween(text, counted, offset);
+    counted = offset;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::span<const ReadError> failures) {
+  std::vector<std::size_t> offsets;
+  for (const ReadError& failure : failures) offsets.push_back(failure.offset);
+  const std::vector<std::size_t> lines = linesAt(text, offsets);
+  std::vector<Error> errors;
+  for (std::size_t k = 0; k < failures.size(); ++k) {
+    ReadError failure = failures[k];
     failure.offset = 0;
-    errors.push_back(errorAt(name, "", failure, lines));
+    errors.push_back(errorAt(name, "", failure, lines[k] - 1));
   }
   return errors;
 }

@@ -41,6 +41,12 @@ struct ParsedFile {
   std::vector<ReadError> skipped;
 };
 
+/// The rows of a table as read from text.
+struct ParsedRows {
+  std::vector<std::string> properties;  ///< members of JSON, without braces
+  std::vector<std::size_t> offsets;     ///< the place of each row in the text
+};
+
 /// The text after a byte-order mark. Errors: badInput, if it is UTF-16, or nothing but white space.
 Result<std::string_view> contentOf(std::string_view text, std::string_view name);
 
@@ -59,6 +65,9 @@ std::vector<Error> errorsAt(std::string_view name, std::string_view text, std::s
 Error errorAtCircle(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
                     std::size_t linesBefore = 0);
 
+/// Returns the lines of places that increase, from 1, in linear time.
+std::vector<std::size_t> linesAt(std::string_view text, std::span<const std::size_t> offsets);
+
 /// The number of line ends in the text.
 std::size_t lineEnds(std::string_view text);
 
@@ -73,5 +82,8 @@ Result<ParsedFile> readJson(std::string_view text, std::string_view name, const 
 
 /// A GeoJSON FeatureCollection of Points.
 Result<ParsedFile> readGeoJson(std::string_view text, std::string_view name, const ReadOptions& options, Keep keep);
+
+/// The rows of a table (CSV) whose first line names these columns. Throws ReadError.
+ParsedRows readCsvRows(std::string_view text, std::span<const std::string> columns);
 
 }  // namespace circle_voronoi
