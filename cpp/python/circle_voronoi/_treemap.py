@@ -55,7 +55,8 @@ def treemap(
     -------
     geopandas.GeoDataFrame
         A row for each cell of each level, parents first: the columns of `path`, with None below the level of the row;
-        `values`; "level", from 1; "area"; the site "x", "y" and its "weight"; and the cell as geometry.
+        `values`; "level", from 1; "area"; the site "x", "y" and its "weight"; and the cell as geometry. Site and geometry
+        are missing where there is no cell.
 
     Raises
     ------
@@ -100,6 +101,7 @@ def treemap(
     columns[values] = sums[1:]
     columns["level"] = [len(paths[i]) for i in rows]
     columns["area"] = areas[1:]
+    sites = np.where(sums[:, np.newaxis] > 0, sites, np.nan)
     columns |= {name: sites[1:, k] for k, name in enumerate(SITE)}
     crs = getattr(region, "crs", None)
     return geopandas.GeoDataFrame(columns, geometry=geopandas.GeoSeries(shapes, crs=crs))
@@ -133,8 +135,9 @@ def _tree(frame: Any, names: Sequence[str], values: str) -> tuple[list[tuple[Any
 
 def _sites(previous: Any, names: Sequence[str], paths: Sequence[tuple[Any, ...]]) -> Floats:
     """Return the sites of the nodes in an earlier treemap; NaN for new ones."""
-    if not is_frame(previous):
+    if not is_frame(previous) or not {*names, *SITE, "level"} <= set(previous.columns):
         raise CircleVoronoiError("previous must be the result of an earlier treemap.", "badOption")
+    previous = previous.dropna(subset=list(SITE))
     places = np.column_stack([column_of(previous, name) for name in SITE])
     keys = zip(*(previous[name].tolist() for name in names), previous["level"].tolist())
     site_of = {tuple(key[: key[-1]]): place for key, place in zip(keys, places)}

@@ -64,6 +64,16 @@ def test_rows_of_one_path_are_added_and_zeros_have_no_cell():
     assert cells.geometry.iloc[2] is None
 
 
+def test_cells_that_an_earlier_treemap_did_not_have_begin_anew():
+    square = Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    table = pandas.DataFrame({"a": ["x", "y", "z"], "n": [1.0, 0.0, 0.0]})
+    first = cv.treemap(table, "a", "n", square)
+    assert first["x"].isna().tolist() == [False, True, True]
+    table["n"] = [1.0, 2.0, 3.0]
+    later = cv.treemap(table, "a", "n", square, previous=first)
+    assert later["area"].tolist() == pytest.approx([4 / 6, 8 / 6, 2])
+
+
 @pytest.mark.parametrize(
     "change, row",
     [({"people": -1}, 4), ({"people": float("nan")}, 4), ({"people": float("inf")}, 4), ({"town": None}, 4)],
@@ -79,7 +89,7 @@ def test_errors_name_the_row(change, row):
 
 @pytest.mark.parametrize(
     "options",
-    [{"metric": "centers"}, {"relax": -1}, {"tolerance": 0}, {"previous": 5}, {"path": []}, {"path": ["no"]}, {"values": "no"}],
+    [{"metric": "centers"}, {"relax": -1}, {"tolerance": 0}, {"previous": 5}, {"previous": towns()}, {"path": []}, {"path": ["no"]}, {"values": "no"}],
 )
 def test_wrong_options_are_errors(options):
     with pytest.raises(cv.CircleVoronoiError):
