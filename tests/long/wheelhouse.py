@@ -8,6 +8,8 @@ from importlib.metadata import distribution
 from pathlib import Path
 
 SITE = Path("/usr/lib/python3/dist-packages")
+# Requirements that are in the metadata on PyPI, but not in Debian's.
+REQUIREMENTS = {"scikit-build": ["distro", "packaging", "setuptools", "wheel"]}
 
 
 def files_of(package: str) -> list[Path]:
@@ -18,13 +20,13 @@ def files_of(package: str) -> list[Path]:
 def make_wheel(folder: Path, name: str, packages: list[str]) -> None:
     found = distribution(name)
     stem = f"{name.replace('-', '_')}-{found.version}"
-    metadata = f"Metadata-Version: 2.1\nName: {name}\nVersion: {found.version}\n"
-    metadata += "".join(f"Requires-Dist: {needed}\n" for needed in found.requires or [] if "extra ==" not in needed)
-    entry_points = (f"[{group}]\n{one.name} = {one.value}\n" for group in {e.group for e in found.entry_points} for one in found.entry_points.select(group=group))
+    required = [*REQUIREMENTS.get(name, ()), *(one for one in found.requires or () if "extra ==" not in one)]
     members = {
-        "METADATA": metadata,
+        "METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: {found.version}\n"
+        + "".join(f"Requires-Dist: {one}\n" for one in required),
         "WHEEL": "Wheel-Version: 1.0\nGenerator: wheelhouse\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
-        "entry_points.txt": "".join(entry_points),
+        # setuptools finds the command of wheel by it.
+        "entry_points.txt": found.read_text("entry_points.txt") or "",
     }
     with zipfile.ZipFile(folder / f"{stem}-py3-none-any.whl", "w") as wheel:
         for path in [path for package in packages for path in files_of(package)]:

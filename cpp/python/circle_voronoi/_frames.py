@@ -136,7 +136,7 @@ def check_crs(crs: Any, other: Any) -> None:
     """Refuse a region whose coordinates are not those of the circles."""
     if crs is not None and other is not None and crs != other:
         raise CircleVoronoiError(
-            f"The region is in {other.to_string()}, the circles in {crs.to_string()}. Convert its GeoSeries with"
+            f"The region is in {other.to_string()}, the circles in {crs.to_string()}. Convert it with geopandas:"
             f" to_crs({crs.to_string()!r}).",
             "badOption",
         )
