@@ -31,7 +31,7 @@ def html(diagram: Diagram) -> str:
     name = escape(f"Voronoi diagram of {len(diagram)} circles", quote=True)
     # An image, because the styles of an SVG in a page are those of the whole page.
     source = b64encode(diagram.to_bytes("svg")).decode()
-    picture = f'<img src="data:image/svg+xml;base64,{source}" alt="{name}" style="width: 100%; max-width: 40rem">'
+    picture = f'<img slot="poster" src="data:image/svg+xml;base64,{source}" alt="{name}" style="width: 100%; max-width: 40rem">'
     if len(diagram) > MAX_LIVE_CIRCLES or diagram.circles[:, 2].min() < 0 or not _ELEMENT.exists():
         return picture
     circles = json.dumps(diagram.circles.tolist())

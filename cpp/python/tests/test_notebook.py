@@ -61,7 +61,7 @@ def test_other_figures_are_pictures(kernel):
         assert picture_in(html).tag.endswith("svg") and "<circle-voronoi" not in html and "<script" not in html
     assert "0 circles" in cv.compute([])._repr_html_()
     _figure._ELEMENT.unlink()
-    assert run(kernel, "a")[0].startswith("<img")
+    assert run(kernel, "a")[0].startswith("<img ")
 
 
 def test_a_notebook_has_one_script(kernel):
