@@ -45,6 +45,7 @@ const PURPOSES = {
       'python3-distributed',
       'python3-geopandas',
       'python3-matplotlib',
+      'python3-pybind11',
       'python3-pytest',
       'python3-scipy',
       'python3-shapely',

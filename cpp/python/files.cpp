@@ -11,6 +11,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,23 +29,36 @@ namespace py = pybind11;
 namespace circle_voronoi::python {
 namespace {
 
-ReadOptions readOptions(bool weights, bool points) {
+/// The columns of x, y and radius, and whether radii are weights, whether all are 0, and whether invalid rows are
+/// skipped.
+using Columns = std::tuple<std::string, std::string, std::string, bool, bool, bool>;
+
+ReadOptions readOptions(const Columns& columns) {
+  const auto& [x, y, radius, weights, points, skipInvalid] = columns;
   ReadOptions options;
+  options.x = x;
+  options.y = y;
+  options.radius = radius;
   options.weights = weights;
-  if (points) options.radii = Radii::optional;
+  if (points) options.radii = Radii::none;
+  options.skipInvalid = skipInvalid;
   return options;
 }
 
-py::array circlesIn(std::string text, const std::string& name, bool weights, bool points) {
-  return arrayOf<double>(interruptible([=, text = std::move(text)](const Cancellation&) {
-    return valueOf(readCircles(text, name, readOptions(weights, points)));
-  }));
+/// The circles, and for each row that was skipped the reason.
+py::tuple circlesIn(std::string text, const std::string& name, const Columns& columns) {
+  CircleFile file = interruptible([=, text = std::move(text)](const Cancellation&) {
+    return valueOf(readCircleFile(text, name, readOptions(columns)));
+  });
+  std::vector<std::string> reasons;
+  for (const Error& skipped : file.skipped) reasons.push_back(skipped.message);
+  return py::make_tuple(arrayOf<double>(std::move(file.circles)), reasons);
 }
 
-/// For each circle the members of a JSON object. Radii play no role.
-std::vector<std::string> propertiesIn(std::string text, const std::string& name) {
+/// For each circle the members of a JSON object.
+std::vector<std::string> propertiesIn(std::string text, const std::string& name, const Columns& columns) {
   return interruptible([=, text = std::move(text)](const Cancellation&) {
-    CircleFile file = valueOf(readCircleFile(text, name, readOptions(true, true)));
+    CircleFile file = valueOf(readCircleFile(text, name, readOptions(columns)));
     file.attributes.properties.resize(file.circles.size());
     return std::move(file.attributes.properties);
   });

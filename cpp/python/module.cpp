@@ -24,6 +24,7 @@ PyMethodDef plainFunctions[] = {{"in_subinterpreter", inSubinterpreter, METH_NOA
 PYBIND11_MODULE(_core_of_main, module) {
   using namespace circle_voronoi::python;
   module.attr("__name__") = "circle_voronoi._core";
+  module.attr("__version__") = CIRCLE_VORONOI_VERSION;
   translateErrors();
   addDiagram(module);
   addRegions(module);

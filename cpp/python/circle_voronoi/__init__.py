@@ -34,6 +34,8 @@ from ._regions import Region
 from ._sphere import EARTH_RADIUS, FarthestPlace, SphereDiagram, compute_sphere
 from ._treemap import treemap
 
+__version__ = _core.__version__
+
 __all__ = [
     "AreaFit",
     "Certificate",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from operator import index as integer_of
 from typing import Any, Mapping, Sequence
 
@@ -138,6 +139,47 @@ def mapping(value: Any, name: str) -> Mapping[Any, Any]:
     if not isinstance(value, Mapping):
         raise CircleVoronoiError(f"{name} must be a mapping (got {value!r}).")
     return value
+
+
+def json_object(value: Mapping[Any, Any]) -> str:
+    """Return a JSON object. Numbers of NumPy become numbers, times ISO 8601 texts, and missing values null.
+
+    Raises
+    ------
+    TypeError, ValueError, RecursionError
+        The mapping has something else.
+    """
+    return json.dumps(_json_value(value), allow_nan=False)
+
+
+def _json_value(value: Any) -> Any:
+    # NaN and missing times differ from themselves; for NA of pandas, a comparison is NA.
+    if type(value).__name__ == "NAType":
+        return None
+    if isinstance(value, Mapping):
+        members = {_json_name(name): _json_value(item) for name, item in value.items()}
+        if len(members) < len(value):
+            raise ValueError("a name is repeated")
+        return members
+    if isinstance(value, (list, tuple)):
+        return [_json_value(item) for item in value]
+    if isinstance(value, np.ndarray):
+        return [_json_value(item) for item in value] if value.ndim > 0 else _json_value(value[()])
+    if isinstance(value, np.datetime64):
+        return None if np.isnat(value) else str(value)
+    if isinstance(value, (np.bool_, np.integer)):
+        return value.item()
+    if isinstance(value, (float, np.floating)):
+        return float(value) if value == value else None
+    if hasattr(value, "isoformat"):
+        return value.isoformat() if value == value else None
+    return value
+
+
+def _json_name(name: Any) -> str:
+    if isinstance(name, (str, int, np.integer)) and not isinstance(name, bool):
+        return str(name)
+    raise TypeError(f"the name {name!r} is neither a text nor a whole number")
 
 
 def items_of(data: Any, name: str) -> list[Any]:

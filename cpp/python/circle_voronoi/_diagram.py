@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Sequence
@@ -22,6 +23,7 @@ from ._arguments import (
     index,
     indices,
     items_of,
+    json_object,
     mapping,
     matrix,
     optional_number,
@@ -30,12 +32,14 @@ from ._arguments import (
     whole,
 )
 from ._errors import CircleVoronoiError
-from ._frames import check_crs, circles_of, is_frame
+from ._frames import circles_of, is_frame, records_of
 from ._polygons import nested, shapes_of
 from ._regions import region_of
 
 if TYPE_CHECKING:
     from os import PathLike
+
+    from ._polygons import Cell
 
 METRICS = ("circles", "centers", "power")
 # Metrics with weights.
@@ -191,9 +195,7 @@ class Diagram:
         return _unpickled, (self.to_bytes("json"), self.ids, self.crs)
 
     def _clip(self, bounds: Any, region: Any) -> _core.Region | None:
-        """Return the region that a box or a shape describes. A shape has the crs of the circles, if both have one."""
-        check_crs(self.crs, region)
-        return region_of(bounds, region)
+        return region_of(bounds, region, self.crs)
 
     def _repr_html_(self) -> str:
         return _figure.html(self)
@@ -229,6 +231,12 @@ class Diagram:
         ------
         CircleVoronoiError
             The limits are not valid.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> diagram.areas(bounds=(-5, -5, 15, 15)).round(2).tolist()
+        [113.88, 97.69, 188.43]
         """
         return _core.areas(self._core, self._clip(bounds, region), _distance(max_distance))
 
@@ -241,6 +249,12 @@ class Diagram:
         -------
         ndarray of float64, shape (n, 2)
             NaN for unbounded cells without limits, and where there is no cell.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> diagram.centroids(bounds=(-5, -5, 15, 15)).round(1).tolist()
+        [[-0.3, 0.6], [10.7, 0.3], [5.2, 10.1]]
         """
         return _core.centroids(self._core, self._clip(bounds, region), _distance(max_distance))
 
@@ -253,6 +267,12 @@ class Diagram:
         -------
         ndarray of float64, shape (n,)
             In units of the input. Hidden circles have 0. Without limits, unbounded cells have infinity.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> diagram.perimeters(max_distance=1).round(2).tolist()
+        [18.85, 12.57, 15.71]
         """
         return _core.perimeters(self._core, self._clip(bounds, region), _distance(max_distance))
 
@@ -263,7 +283,7 @@ class Diagram:
         bounds: Any = None,
         region: Any = None,
         max_distance: float | None = None,
-    ) -> list[Any]:
+    ) -> list[Cell]:
         """Return the cells as polygons. Neighbors share their points to the bit.
 
         Parameters
@@ -280,6 +300,13 @@ class Diagram:
             With shapely installed a Polygon, a MultiPolygon if the region cuts the cell apart, or None if there is no
             cell. Without shapely a list of polygons, each a list of rings, each an array of shape (k, 2). The first
             ring is the outer one, counter-clockwise; the others are holes.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> cells = diagram.polygons(bounds=(-5, -5, 15, 15))
+        >>> [round(cell.area, 1) for cell in cells]
+        [113.9, 97.7, 188.4]
         """
         arrays = _core.polygons(
             self._core,
@@ -304,6 +331,12 @@ class Diagram:
         Returns
         -------
         ndarray of int32
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> diagram.neighbors(0).tolist()
+        [2, 1]
         """
         i = index(circle, len(self), "circle")
         clip, distance = self._clip(bounds, region), _distance(max_distance)
@@ -319,6 +352,12 @@ class Diagram:
         """Return the pairs of circles whose cells share an edge, as an array of shape (k, 2).
 
         Each pair occurs once, with the smaller index first, in increasing order. Takes the same limits as `neighbors`.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> diagram.neighbor_pairs().tolist()
+        [[0, 1], [0, 2], [1, 2]]
         """
         clip, distance = self._clip(bounds, region), _distance(max_distance)
         if clip is None and distance is None:
@@ -341,6 +380,12 @@ class Diagram:
         ------
         CircleVoronoiError
             A point is not finite; the message names its row.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> diagram.find([[1, 1], [9, 0], [5, 6]]).tolist()
+        [0, 1, 2]
         """
         if self._finder is None:
             self._finder = _core.Finder(self._core)
@@ -360,6 +405,13 @@ class Diagram:
         -------
         EmptyDisc or None
             None if there are no circles. The radius is negative if circles cover the region.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> disc = diagram.largest_empty_disc()
+        >>> round(disc.r, 3), disc.circles.tolist()
+        (4.075, [0, 1, 2])
         """
         clip = self._clip(bounds, region)
         if inside and clip is None:
@@ -390,6 +442,13 @@ class Diagram:
         ------
         CircleVoronoiError
             There are no circles, or an end lies outside the region.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> path = diagram.clearest_path([5, -3], [9, 7])
+        >>> round(path.clearance, 3), path.edges.tolist()
+        (2.623, [2, 1])
         """
         distance = None if tolerance is None else positive(tolerance, "tolerance")
         found = _core.clearest_path(
@@ -421,6 +480,13 @@ class Diagram:
         ------
         CircleVoronoiError
             An id is unknown, or a circle is not valid. `edit` is the index of the edit to blame.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+        >>> newest = diagram.update(remove=[1], replace={0: (1, 0, 2)}, insert=[[9, 9, 1]])
+        >>> newest.ids.tolist()
+        [0, 2, 3]
         """
         if self.metric != "circles":
             raise CircleVoronoiError(f"A diagram of the metric {self.metric} cannot be updated.", "badInput")
@@ -452,7 +518,7 @@ class Diagram:
         max_distance: float | None = None,
         tolerance: float | None = None,
         digits: int | None = None,
-        attributes: Sequence[Mapping[str, Any]] | None = None,
+        attributes: Any = None,
     ) -> bytes:
         """Return the diagram as the text of a file, as the program ``circle-voronoi compute`` writes it.
 
@@ -463,8 +529,20 @@ class Diagram:
             See `polygons`. The formats json and csv take none of them.
         digits : int, optional
             The largest number of digits after the decimal point.
-        attributes : sequence of n mappings, optional
-            More members for the circles of json, or properties for the features of GeoJSON.
+        attributes : DataFrame with n rows, or sequence of n mappings, optional
+            More members for the circles of json, or properties for the features of GeoJSON. NaN and other missing values
+            become null, and times become ISO 8601 texts. A geometry column is left out.
+
+        Returns
+        -------
+        bytes
+            UTF-8.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 1], [10, 0, 1]])
+        >>> print(diagram.to_bytes("wkt", bounds=(-5, -5, 15, 5)).decode().splitlines()[0])
+        POLYGON ((5 5, -5 5, -5 -5, 5 -5, 5 5))
         """
         choice(format, FORMATS, "format")
         limits = {"bounds": bounds, "region": region, "max_distance": max_distance, "tolerance": tolerance}
@@ -475,6 +553,8 @@ class Diagram:
             raise CircleVoronoiError(f"The format {format} takes no attributes.", "badOption")
         if bounds is not None and region is not None:
             raise CircleVoronoiError("Give either bounds or region, not both.", "badOption")
+        if is_frame(attributes):
+            attributes = records_of(attributes)
         rows = [] if attributes is None else items_of(attributes, "attributes")
         if attributes is not None and len(rows) != len(self):
             raise CircleVoronoiError(f"attributes has {len(rows)} items; expected {len(self)}.")
@@ -499,6 +579,10 @@ class Diagram:
             A format of `to_bytes`. By default the extension of the file.
         **options
             The other parameters of `to_bytes`.
+
+        Examples
+        --------
+        >>> cv.compute([[0, 0, 2], [10, 0, 1]]).write("cells.geojson", bounds=(-5, -5, 15, 5))
         """
         target = Path(path)
         text = self.to_bytes(target.suffix[1:].lower() if format is None else format, **options)
@@ -524,6 +608,11 @@ class Diagram:
         Returns
         -------
         matplotlib.axes.Axes
+
+        Examples
+        --------
+        >>> ax = cv.compute([[0, 0, 2], [10, 0, 1]]).plot(bounds=(-5, -5, 15, 5), color="black")
+        >>> ax.figure.savefig("diagram.pdf")
         """
         return _plot.plot(self, ax, bounds, region, style)
 
@@ -563,7 +652,7 @@ class AreaFit(NamedTuple):
 
 
 def compute(
-    circles: Any,
+    circles: Any = None,
     y: Any = None,
     r: Any = None,
     *,
@@ -586,9 +675,8 @@ def compute(
     circles : array_like, shape (n, 3), or (n, 2) with `r`, or shape (n,) with `y` and `r`, or a table
         Rows of x, y, r; or points with `r` apart; or x alone. A DataFrame has columns that `x`, `y` and `r` name, by
         default these letters. A GeoDataFrame has points as geometry, and its radii are the column `r`.
-    y, r : array_like, shape (n,), or a number for `r`; for tables a name of a column
-    x : str, optional
-        For tables, the name of the column.
+    x, y, r : array_like, shape (n,), or a number for `r`; for tables a name of a column
+        Without `circles`, the columns of the circles: ``compute(x=x, y=y, r=r)``.
     metric : {"circles", "centers", "power"}
         The distance of a point p from a circle with the center c: |p - c| - r, |p - c|, or |p - c|^2 - r^2, which
         gives the power (Laguerre) diagram.
@@ -610,9 +698,16 @@ def compute(
     ------
     CircleVoronoiError
         A number is missing, not finite, too large, or a radius is negative. The message names the row.
+
+    Examples
+    --------
+    >>> cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
+    <Diagram of 3 circles, 0 hidden, 1 vertices, 3 edges, certified>
+    >>> cv.compute(x=[0, 10, 5], y=[0, 0, 8], r=0).vertices.round(3).tolist()
+    [[5.0, 2.438, 5.562]]
     """
     core = _core.compute(
-        _circles(circles, x, y, r),
+        circles_from(circles, x, y, r),
         choice(metric, METRICS, "metric"),
         bool(weights),
         choice(method, METHODS, "method"),
@@ -668,6 +763,13 @@ def fit_areas(
     ------
     CircleVoronoiError
         An area is not positive, the areas do not fit the region, two points are equal, or the fit does not converge.
+
+    Examples
+    --------
+    >>> square = [[(0, 0), (4, 0), (4, 4), (0, 4)]]
+    >>> fit = cv.fit_areas([[1, 1], [3, 1], [2, 3]], [1, 1, 2], square, shares=True)
+    >>> fit.areas.round(6).tolist()
+    [4.0, 4.0, 8.0]
     """
     clip = region_of(None, region)
     if clip is None:
@@ -699,17 +801,31 @@ def fit_options(
     )
 
 
-def read(path: str | PathLike[str], *, weights: bool = False, points: bool = False) -> Diagram | Floats:
+def read(
+    path: str | PathLike[str],
+    *,
+    x: str | None = None,
+    y: str | None = None,
+    radius: str | None = None,
+    weights: bool = False,
+    points: bool = False,
+    skip_invalid: bool = False,
+) -> Diagram | Floats:
     """Read circles or a diagram from a file of any format that the program reads.
 
     Parameters
     ----------
     path : str or path
         A table (CSV), JSON, GeoJSON points, or a diagram in the project's JSON format.
+    x, y, radius : str, optional
+        The columns, properties or members with the numbers of a circle. Columns are also called #1, #2 and so on. By
+        default their usual names: lon, easting, rad and so on.
     weights : bool
         Whether radii may be negative.
     points : bool
-        Whether circles may lack a radius, which is 0 then.
+        Whether all radii are 0, so that no column is needed for them.
+    skip_invalid : bool
+        Whether rows and features that are no circles are skipped. A warning tells their number.
 
     Returns
     -------
@@ -720,37 +836,87 @@ def read(path: str | PathLike[str], *, weights: bool = False, points: bool = Fal
     ------
     CircleVoronoiError
         The text is not valid; the message names the line.
+
+    Examples
+    --------
+    >>> with open("shops.csv", "w") as file:
+    ...     _ = file.write("name,east,north,pull\\nCenter,2,1.5,0.4\\nNorth,2.5,3.6,0\\n")
+    >>> cv.read("shops.csv", x="east", y="north", radius="pull")
+    array([[2. , 1.5, 0.4],
+           [2.5, 3.6, 0. ]])
     """
+    columns = _columns(x, y, radius, weights, points, skip_invalid)
     text = Path(path).read_bytes()
     if _core.holds_diagram(text):
+        if any(columns):
+            raise CircleVoronoiError(f"{path} holds a diagram, which takes no options about columns.", "badOption")
         return Diagram(_core.read_diagram(text, str(path)))
-    return _core.read_circles(text, str(path), bool(weights), bool(points))
+    circles, reasons = _core.read_circles(text, str(path), columns)
+    if reasons:
+        count = len(circles) + len(reasons)
+        warnings.warn(f"{len(reasons)} of {count} rows were skipped; the first: {reasons[0]}", stacklevel=2)
+    return circles
 
 
-def read_attributes(path: str | PathLike[str]) -> list[dict[str, Any]]:
+def read_attributes(
+    path: str | PathLike[str],
+    *,
+    x: str | None = None,
+    y: str | None = None,
+    radius: str | None = None,
+    weights: bool = False,
+    points: bool = False,
+    skip_invalid: bool = False,
+) -> list[dict[str, Any]]:
     """Read what a file says about each circle beyond x, y and r, for `Diagram.to_bytes`.
 
     Parameters
     ----------
     path : str or path
-        A file of circles, as `read` takes it.
+        A file of circles.
+    x, y, radius, weights, points, skip_invalid
+        See `read`. With the same options, there is an entry for each circle that `read` returns.
 
     Returns
     -------
     list of dict, one for each circle
+
+    Examples
+    --------
+    >>> with open("shops.csv", "w") as file:
+    ...     _ = file.write("name,x,y,r\\nCenter,2,1.5,0.4\\nNorth,2.5,3.6,0\\n")
+    >>> cv.read_attributes("shops.csv")
+    [{'name': 'Center'}, {'name': 'North'}]
     """
-    members = _core.read_attributes(Path(path).read_bytes(), str(path))
+    columns = _columns(x, y, radius, weights, points, skip_invalid)
+    members = _core.read_attributes(Path(path).read_bytes(), str(path), columns)
     try:
         return [json.loads("{" + text + "}") for text in members]
     except RecursionError as error:
         raise CircleVoronoiError(f"{path}: the attributes of a circle are nested too deep.") from error
 
 
-def _circles(circles: Any, x: Any, y: Any, r: Any) -> Floats:
+def _columns(
+    x: str | None, y: str | None, radius: str | None, weights: bool, points: bool, skip_invalid: bool
+) -> tuple[str, str, str, bool, bool, bool]:
+    for name, value in (("x", x), ("y", y), ("radius", radius)):
+        if value is not None and not isinstance(value, str):
+            raise CircleVoronoiError(f"{name} must be the name of a column (got {value!r}).", "badOption")
+    if points and (radius is not None or weights):
+        raise CircleVoronoiError("Points have no radii; give neither radius nor weights.", "badOption")
+    return x or "", y or "", radius or "", bool(weights), bool(points), bool(skip_invalid)
+
+
+def circles_from(circles: Any, x: Any, y: Any, r: Any) -> Floats:
+    """Return the circles of the arguments of `compute`."""
     if is_frame(circles):
         return circles_of(circles, x, y, r)
+    if circles is None and x is not None:
+        if y is None:
+            raise CircleVoronoiError("x needs y, an array of the same length.")
+        circles, x = x, None
     if x is not None:
-        raise CircleVoronoiError("x names a column of a table; pass arrays as compute(x, y, r).", "badOption")
+        raise CircleVoronoiError("x names a column of a table; pass arrays as compute(x=x, y=y, r=r).", "badOption")
     if y is not None:
         first = column(circles, None, "x")
         radii = column(r, len(first), "r")
@@ -764,7 +930,7 @@ def _circles(circles: Any, x: Any, y: Any, r: Any) -> Floats:
 def _members(attributes: Any, row: int) -> str:
     """Return the attributes of a circle as members of a JSON object."""
     try:
-        return json.dumps(dict(mapping(attributes, f"Row {row} of attributes")), allow_nan=False)[1:-1]
+        return json_object(mapping(attributes, f"Row {row} of attributes"))[1:-1]
     except (TypeError, ValueError, RecursionError) as error:
         if isinstance(error, CircleVoronoiError):
             raise

@@ -12,6 +12,8 @@ from ._arguments import Floats, column
 from ._errors import CircleVoronoiError
 
 if TYPE_CHECKING:
+    from geopandas import GeoDataFrame
+
     from ._diagram import Diagram
     from ._sphere import SphereDiagram
 
@@ -87,7 +89,7 @@ def _first(frame: Any, given: Any, usual: tuple[str, ...]) -> Any:
     return usual[0]
 
 
-def to_geodataframe(diagram: Diagram | SphereDiagram, frame: Any, **limits: Any) -> Any:
+def to_geodataframe(diagram: Diagram | SphereDiagram, frame: Any, **limits: Any) -> GeoDataFrame:
     """Return a copy of a GeoDataFrame with the cells as its geometry.
 
     Parameters
@@ -108,6 +110,15 @@ def to_geodataframe(diagram: Diagram | SphereDiagram, frame: Any, **limits: Any)
     ------
     CircleVoronoiError
         The table does not have a row for each circle, or what `Diagram.polygons` raises.
+
+    Examples
+    --------
+    >>> import geopandas
+    >>> points = geopandas.points_from_xy([0, 10], [0, 0])
+    >>> shops = geopandas.GeoDataFrame({"name": ["Center", "East"]}, geometry=points, crs="EPSG:32633")
+    >>> cells = cv.to_geodataframe(cv.compute(shops, r=0), shops, bounds=(-5, -5, 15, 5))
+    >>> cells.area.tolist()
+    [100.0, 100.0]
     """
     try:
         import geopandas  # noqa: F401
@@ -121,15 +132,24 @@ def to_geodataframe(diagram: Diagram | SphereDiagram, frame: Any, **limits: Any)
     return frame.set_geometry(geopandas.GeoSeries(cells, index=frame.index, crs=crs))
 
 
-def check_crs(crs: Any, region: Any) -> None:
+def check_crs(crs: Any, other: Any) -> None:
     """Refuse a region whose coordinates are not those of the circles."""
-    other = getattr(region, "crs", None)
     if crs is not None and other is not None and crs != other:
         raise CircleVoronoiError(
-            f"The region is in {other.to_string()}, the circles in {crs.to_string()}. Convert it with"
-            f" region.to_crs({crs.to_string()!r}).",
+            f"The region is in {other.to_string()}, the circles in {crs.to_string()}. Convert it with geopandas:"
+            f" to_crs({crs.to_string()!r}).",
             "badOption",
         )
+
+
+def records_of(frame: Any) -> list[dict[Any, Any]]:
+    """Return the rows of a table as mappings, without its geometry."""
+    if hasattr(frame, "geometry"):
+        frame = frame.drop(columns=frame.geometry.name)
+    names = list(frame.columns)
+    if len(set(names)) < len(names):
+        raise CircleVoronoiError(f"The table has several columns of the same name. Its columns are {', '.join(map(str, names))}.")
+    return [dict(zip(names, row)) for row in frame.itertuples(index=False, name=None)]
 
 
 def column_of(frame: Any, name: str) -> Floats:

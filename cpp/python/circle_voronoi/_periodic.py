@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from . import _core
-from ._arguments import Floats, Indices, choice, finite_points, index, matrix, point, whole
-from ._diagram import METRICS, Diagram, fit_arguments, fit_options
+from ._arguments import Floats, Indices, choice, finite_points, index, point, whole
+from ._diagram import METRICS, Diagram, circles_from, fit_arguments, fit_options
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+    from ._polygons import Cell
 
 
 class Contacts(NamedTuple):
@@ -29,6 +34,27 @@ class Contacts(NamedTuple):
     gap: Floats
     area: Floats
     packing_fraction: Floats
+
+    def to_dataframe(self) -> DataFrame:
+        """Return the borders as a table with the columns circle, neighbor, shift_a, shift_b, length and gap.
+
+        Returns
+        -------
+        pandas.DataFrame
+
+        Examples
+        --------
+        >>> packing = cv.compute_periodic([[1, 1, 0.5], [3, 1, 1]], (4, 0), (0, 2))
+        >>> packing.contacts().to_dataframe().columns.tolist()
+        ['circle', 'neighbor', 'shift_a', 'shift_b', 'length', 'gap']
+        """
+        try:
+            from pandas import DataFrame
+        except ImportError:
+            raise ImportError("to_dataframe needs pandas. Install it with your package manager or pip.") from None
+        shift_a, shift_b = self.shift.T
+        columns = {"circle": self.circle, "neighbor": self.neighbor, "shift_a": shift_a, "shift_b": shift_b}
+        return DataFrame({**columns, "length": self.length, "gap": self.gap})
 
 
 class PeriodicDiagram:
@@ -50,6 +76,9 @@ class PeriodicDiagram:
     def __repr__(self) -> str:
         a, b = self.periods
         return f"<PeriodicDiagram of {len(self)} circles, periods {tuple(a.tolist())} and {tuple(b.tolist())}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (self.circles, *self.periods.tolist(), self.images.metric, self.images.weights)
 
     @property
     def circles(self) -> Floats:
@@ -83,7 +112,7 @@ class PeriodicDiagram:
         """Return the length of the outline of each cell, shape (n,)."""
         return self.images.perimeters()[: len(self)]
 
-    def polygons(self, *, tolerance: float | None = None) -> list[Any]:
+    def polygons(self, *, tolerance: float | None = None) -> list[Cell]:
         """Return the cells of the given circles as polygons: see `Diagram.polygons`. They may cross the box."""
         return self.images.polygons(tolerance=tolerance)[: len(self)]
 
@@ -145,17 +174,26 @@ class PeriodicAreaFit(NamedTuple):
 
 
 def compute_periodic(
-    circles: Any, a: Any, b: Any, *, metric: str = "circles", weights: bool = False, threads: int = 1
+    circles: Any,
+    a: Any,
+    b: Any,
+    *,
+    x: Any = None,
+    y: Any = None,
+    r: Any = None,
+    metric: str = "circles",
+    weights: bool = False,
+    threads: int = 1,
 ) -> PeriodicDiagram:
     """Compute the Voronoi diagram of circles in a box whose opposite sides are glued together.
 
     Parameters
     ----------
-    circles : array_like, shape (n, 3)
+    circles : array_like, shape (n, 3), or (n, 2) with `r`, or a table
         They may lie anywhere, overlap, and be larger than the box.
     a, b : array_like, shape (2,)
         The periods: the sides of the box, which is any parallelogram.
-    metric, weights, threads
+    x, y, r, metric, weights, threads : optional
         See `compute`.
 
     Returns
@@ -166,9 +204,15 @@ def compute_periodic(
     ------
     CircleVoronoiError
         The periods are zero, parallel or not finite, or what `compute` raises.
+
+    Examples
+    --------
+    >>> packing = cv.compute_periodic([[1, 1, 0.5], [3, 1, 1]], a=(4, 0), b=(0, 2))
+    >>> packing.areas().round(3).tolist()
+    [2.843, 5.157]
     """
     core = _core.compute_periodic(
-        matrix(circles, ("x", "y", "r"), "circles"),
+        circles_from(circles, x, y, r),
         point(a, "a"),
         point(b, "b"),
         choice(metric, METRICS, "metric"),
@@ -212,7 +256,17 @@ def fit_areas_periodic(
     ------
     CircleVoronoiError
         What `compute_periodic` or `fit_areas` raises.
+
+    Examples
+    --------
+    >>> fit = cv.fit_areas_periodic([[1, 1], [3, 1]], [1, 3], (4, 0), (0, 2), shares=True)
+    >>> fit.areas.round(6).tolist()
+    [2.0, 6.0]
     """
     options = fit_options(areas, metric, shares, tolerance, max_steps, relax)
     found = _core.fit_areas_in_box(*fit_arguments(points, areas, weights), point(a, "a"), point(b, "b"), options)
     return PeriodicAreaFit(found[0], PeriodicDiagram(found[1]), *found[2:])
+
+
+def _unpickled(circles: Floats, a: list[float], b: list[float], metric: str, weights: bool) -> PeriodicDiagram:
+    return compute_periodic(circles, a, b, metric=metric, weights=weights)

@@ -3,11 +3,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 
 from ._arguments import Floats, Indices
+
+if TYPE_CHECKING:
+    from shapely.geometry import MultiPolygon, Polygon
+
+    # Type checkers take shapes for Any where shapely is not installed and cells are lists.
+    Cell = Optional[Union[Polygon, MultiPolygon]]
 
 
 def nested(polygons: Indices, rings: Indices, points: Indices, coordinates: Floats) -> list[list[list[Floats]]]:
@@ -17,13 +23,13 @@ def nested(polygons: Indices, rings: Indices, points: Indices, coordinates: Floa
     return [shapes[first:end] for first, end in zip(polygons[:-1], polygons[1:])]
 
 
-def shapes_of(rows: list[list[list[Floats]]]) -> list[Any]:
+def shapes_of(rows: list[list[list[Floats]]]) -> list[Cell]:
     """Return each row as a Polygon, a MultiPolygon or None; without shapely, return the rows themselves."""
     try:
         from shapely.geometry import MultiPolygon, Polygon
     except ImportError:
-        return rows
-    shapes: list[Any] = []
+        return rows  # type: ignore[return-value]
+    shapes: list[Cell] = []
     for row in rows:
         parts = [Polygon(rings[0], rings[1:]) for rings in row]
         shapes.append(None if not parts else parts[0] if len(parts) == 1 else MultiPolygon(parts))

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from os import PathLike, fspath
+from os.path import isfile
 from pathlib import Path
 from typing import Any, Mapping
 
@@ -13,6 +14,7 @@ import numpy as np
 from . import _core
 from ._arguments import Floats, array_of, box, items_of, matrix
 from ._errors import CircleVoronoiError
+from ._frames import check_crs
 
 
 class Region:
@@ -24,9 +26,9 @@ class Region:
     ----------
     shape
         A polygon or several polygons: a shapely geometry, a GeoSeries or GeoDataFrame, a GeoJSON mapping (Polygon,
-        MultiPolygon, Feature, FeatureCollection), the text of GeoJSON or well-known text, the path of such a file
-        (`os.PathLike`), or a list of rings. A ring is an array of shape (k, 2). A point belongs to the region if an odd
-        number of rings contain it.
+        MultiPolygon, Feature, FeatureCollection), the text of GeoJSON or well-known text, the path of such a file, or
+        a list of rings. A ring is an array of shape (k, 2). A point belongs to the region if an odd number of rings
+        contain it. A string is a path if there is such a file.
     dissolve : bool
         Whether polygons may overlap and share borders, as administrative areas do. The region is then their union.
 
@@ -34,10 +36,24 @@ class Region:
     ------
     CircleVoronoiError
         The rings cross, overlap or have fewer than three points. The message names the ring and the point.
+
+    Attributes
+    ----------
+    crs : pyproj.CRS or None
+        The coordinate reference system of a GeoSeries or GeoDataFrame, or the one that the member `crs` of GeoJSON names.
+        Circles with another one are refused.
+
+    Examples
+    --------
+    >>> town = cv.Region("POLYGON ((0 0, 40 0, 40 30, 0 30))")
+    >>> town.area
+    1200.0
+    >>> cv.compute([[10, 10, 2], [30, 20, 0]]).areas(region=town).round(1).tolist()
+    [643.7, 556.3]
     """
 
     def __init__(self, shape: Any, *, dissolve: bool = False) -> None:
-        self._core = _read(shape, dissolve)
+        self._core, self.crs = _read(shape, dissolve)
 
     @property
     def area(self) -> float:
@@ -63,28 +79,42 @@ class Region:
         )
         return {"type": "MultiPolygon", "coordinates": coordinates}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (self.__geo_interface__, self.crs)
+
     def __repr__(self) -> str:
         return f"<Region of {len(self._core.polygon_offsets) - 1} polygons, area {self.area:.6g}>"
 
 
-def region_of(bounds: Any, region: Any) -> _core.Region | None:
-    """Return the region that a box or a shape describes, or None if there is neither."""
+def region_of(bounds: Any, region: Any, crs: Any = None) -> _core.Region | None:
+    """Return the region that a box or a shape describes, or None if there is neither.
+
+    A shape that has a crs has that of the circles, if they have one.
+    """
     if bounds is not None and region is not None:
         raise CircleVoronoiError("Give either bounds or region, not both.", "badOption")
     if bounds is not None:
         return _core.region_of_box(box(bounds, "bounds"))
     if region is None:
         return None
-    return region._core if isinstance(region, Region) else Region(region)._core
+    shape = region if isinstance(region, Region) else Region(region)
+    check_crs(crs, shape.crs)
+    return shape._core
 
 
-def _read(shape: Any, dissolve: bool) -> _core.Region:
-    if isinstance(shape, str):
-        return _core.read_region(shape, "region", dissolve)
-    if isinstance(shape, PathLike):
-        return _core.read_region(Path(shape).read_bytes(), fspath(shape), dissolve)
+def _unpickled(shape: Any, crs: Any) -> Region:
+    region = Region(shape)
+    region.crs = crs
+    return region
+
+
+def _read(shape: Any, dissolve: bool) -> tuple[_core.Region, Any]:
+    """Return a region and its crs."""
+    if isinstance(shape, (str, PathLike)):
+        text, name = _text_of(shape)
+        return _core.read_region(text, name, dissolve), _crs_in(text)
     if isinstance(shape, Mapping):
-        return _core.read_region(_json(shape), "region", dissolve)
+        return _core.read_region(_json(shape), "region", dissolve), _crs_named(shape)
     if hasattr(shape, "geometry") and hasattr(shape.geometry, "iloc"):  # a GeoSeries or a GeoDataFrame
         geometries = list(shape.geometry)
         for row, geometry in enumerate(geometries):
@@ -93,10 +123,43 @@ def _read(shape: Any, dissolve: bool) -> _core.Region:
         features = [
             {"type": "Feature", "properties": {}, "geometry": geometry.__geo_interface__} for geometry in geometries
         ]
-        return _core.read_region(json.dumps({"type": "FeatureCollection", "features": features}), "region", dissolve)
+        collection = json.dumps({"type": "FeatureCollection", "features": features})
+        return _core.read_region(collection, "region", dissolve), getattr(shape, "crs", None)
     if hasattr(shape, "__geo_interface__"):
-        return _core.read_region(_json(shape.__geo_interface__), "region", dissolve)
-    return _core.region_of_rings(_rings(shape), dissolve)
+        return _core.read_region(_json(shape.__geo_interface__), "region", dissolve), None
+    return _core.region_of_rings(_rings(shape), dissolve), None
+
+
+def _text_of(shape: str | PathLike[str]) -> tuple[bytes, str]:
+    """Return the text of a region, which is UTF-8, and the name that errors call it."""
+    if not isinstance(shape, str) or isfile(shape):
+        return Path(shape).read_bytes(), fspath(shape)
+    # GeoJSON has braces, and well-known text has parentheses or says that there are no polygons.
+    if shape.strip() and not any(sign in shape.upper() for sign in ("{", "(", "EMPTY")):
+        raise CircleVoronoiError(f"region is neither a file nor GeoJSON nor well-known text (got {shape!r}).")
+    return shape.encode(errors="surrogatepass"), "region"
+
+
+def _crs_in(text: bytes) -> Any:
+    """Return the crs that GeoJSON names, if any. The text has been read as a region."""
+    value = json.loads(text) if b'"crs"' in text else None
+    return _crs_named(value) if isinstance(value, Mapping) else None
+
+
+def _crs_named(shape: Mapping[str, Any]) -> Any:
+    """Return the crs of the member `crs` that GeoJSON had before RFC 7946, and that GDAL still writes."""
+    member = shape.get("crs")
+    if member is None:
+        return None
+    try:
+        from pyproj import CRS
+        from pyproj.exceptions import CRSError
+    except ImportError:  # Without it no circles have a crs.
+        return None
+    try:
+        return CRS.from_user_input(member["properties"]["name"])
+    except (KeyError, TypeError, CRSError) as error:
+        raise CircleVoronoiError(f"The member crs of region names no coordinate reference system: {error}.") from error
 
 
 def _json(shape: Any) -> str:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -12,6 +12,9 @@ from ._arguments import Floats, Indices, column, finite_points, index, matrix, o
 from ._errors import CircleVoronoiError
 from ._frames import caps_of, is_frame
 from ._polygons import nested, shapes_of
+
+if TYPE_CHECKING:
+    from ._polygons import Cell
 
 EARTH_RADIUS = 6371.0088
 """The Earth's mean radius in kilometers."""
@@ -41,6 +44,9 @@ class SphereDiagram:
 
     def __repr__(self) -> str:
         return f"<SphereDiagram of {len(self)} circles, radius {self.radius:g}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (self.circles, self.radius, self.weights)
 
     @property
     def circles(self) -> Floats:
@@ -109,7 +115,7 @@ class SphereDiagram:
         """Return the length of the border of each cell, shape (n,)."""
         return self._core.perimeters(_distance(max_distance))
 
-    def polygons(self, *, tolerance: float | None = None, max_distance: float | None = None) -> list[Any]:
+    def polygons(self, *, tolerance: float | None = None, max_distance: float | None = None) -> list[Cell]:
         """Return the cells as polygons in degrees, as GeoJSON (RFC 7946) has them.
 
         They are cut at the antimeridian, and a pole is inside the polygon that it belongs to. They are valid, and
@@ -142,7 +148,7 @@ class SphereDiagram:
 
 
 def compute_sphere(
-    circles: Any,
+    circles: Any = None,
     lat: Any = None,
     r: Any = None,
     *,
@@ -159,10 +165,9 @@ def compute_sphere(
         Rows of longitude, latitude and radius; or places with `r` apart; or longitudes alone. A GeoDataFrame has points
         in degrees (EPSG:4326) as geometry, and its radii are the column `r`. A DataFrame has columns that `lon`, `lat`
         and `r` name, by default these words or longitude and latitude.
-    lat, r : array_like, shape (n,), or a number for `r`; for tables a name of a column
-        Latitudes in degrees, and radii along the ground in the unit of `radius`. With `lat` alone, radii are 0.
-    lon : str, optional
-        For tables, the name of the column.
+    lon, lat, r : array_like, shape (n,), or a number for `r`; for tables a name of a column
+        Degrees, and radii along the ground in the unit of `radius`. With `lat` and without `r`, radii are 0. Without
+        `circles`, they are the columns of the circles: ``compute_sphere(lon=lon, lat=lat, r=r)``.
     radius : float
         The radius of the sphere: by default the Earth's mean radius in kilometers.
     weights : bool
@@ -179,6 +184,14 @@ def compute_sphere(
     CircleVoronoiError
         A number is missing or not finite, a latitude is beyond 90 degrees, a radius is negative or not below half of the
         circumference. The message names the row.
+
+    Examples
+    --------
+    >>> diagram = cv.compute_sphere([[-149.99, 61.17, 3], [8.57, 50.03, 5], [103.99, 1.36, 5]])
+    >>> diagram.find([[77.1, 28.6]]).tolist()
+    [2]
+    >>> (diagram.areas() / 1e6).round(1).tolist()
+    [162.2, 155.8, 192.1]
     """
     core = _core.compute_sphere(
         _caps(circles, lat, r, lon), positive(radius, "radius"), bool(weights), whole(threads, 0, 1024, "threads")
@@ -189,8 +202,13 @@ def compute_sphere(
 def _caps(circles: Any, lat: Any, r: Any, lon: Any) -> Floats:
     if is_frame(circles):
         return caps_of(circles, lat, r, lon)
+    if circles is None and lon is not None:
+        if lat is None:
+            raise CircleVoronoiError("lon needs lat, an array of the same length.")
+        circles, lon = lon, None
     if lon is not None:
-        raise CircleVoronoiError("lon names a column of a table; pass arrays as compute_sphere(lon, lat, r).", "badOption")
+        sentence = "lon names a column of a table; pass arrays as compute_sphere(lon=lon, lat=lat, r=r)."
+        raise CircleVoronoiError(sentence, "badOption")
     if lat is not None:
         places = _columns(circles, lat)
         return np.column_stack([places, column(0.0 if r is None else r, len(places), "r")])
@@ -210,3 +228,7 @@ def _distance(value: float | None) -> float | None:
     if number is not None and not np.isfinite(number):
         raise CircleVoronoiError(f"max_distance must be a finite number (got {value!r}).", "badOption")
     return number
+
+
+def _unpickled(circles: Floats, radius: float, weights: bool) -> SphereDiagram:
+    return compute_sphere(circles, radius=radius, weights=weights)

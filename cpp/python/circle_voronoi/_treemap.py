@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,9 +14,13 @@ from ._diagram import FIT_METRICS
 from ._errors import CircleVoronoiError
 from ._frames import column_of, is_frame, row_error
 from ._polygons import nested, shapes_of
-from ._regions import region_of
+from ._regions import Region
+
+if TYPE_CHECKING:
+    from geopandas import GeoDataFrame
 
 SITE = ("x", "y", "weight")
+UNIT_SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 
 def treemap(
@@ -29,7 +33,7 @@ def treemap(
     relax: int | None = None,
     tolerance: float = 1e-9,
     previous: Any = None,
-) -> Any:
+) -> GeoDataFrame:
     """Divide a region among the rows of a table, by the levels of a hierarchy, with areas in proportion to their values.
 
     Parameters
@@ -63,6 +67,14 @@ def treemap(
     CircleVoronoiError
         A column is missing, a value is missing, negative or not finite, all are zero, or what `fit_areas` raises. The
         message names the row.
+
+    Examples
+    --------
+    >>> import pandas
+    >>> towns = pandas.DataFrame({"region": ["North", "North", "South"], "town": ["A", "B", "C"], "people": [40, 20, 20]})
+    >>> cells = cv.treemap(towns, path=["region", "town"], values="people")
+    >>> cells[["region", "town"]].assign(share=cells.area.round(6)).values.tolist()
+    [['North', None, 0.75], ['South', None, 0.25], ['North', 'A', 0.5], ['North', 'B', 0.25], ['South', 'C', 0.25]]
     """
     try:
         import geopandas
@@ -75,13 +87,13 @@ def treemap(
         raise CircleVoronoiError("path must name one column or more.", "badOption")
     paths, parents, numbers = _tree(frame, names, values)
     earlier = np.empty((0, 3)) if previous is None else _sites(previous, names, paths)
-    whole_region = region_of((0, 0, 1, 1) if region is None else None, region)
-    assert whole_region is not None
+    if not isinstance(region, Region):
+        region = Region(UNIT_SQUARE if region is None else region)
     try:
         sums, areas, sites, polygons, rings, points, corners = _core.treemap(
             parents,
             numbers,
-            whole_region,
+            region._core,
             choice(metric, FIT_METRICS, "metric"),
             None if relax is None else whole(relax, 0, 2**31 - 1, "relax"),
             positive(tolerance, "tolerance"),
@@ -103,8 +115,7 @@ def treemap(
     columns["area"] = areas[1:]
     sites = np.where(sums[:, np.newaxis] > 0, sites, np.nan)
     columns |= {name: sites[1:, k] for k, name in enumerate(SITE)}
-    crs = getattr(region, "crs", None)
-    return geopandas.GeoDataFrame(columns, geometry=geopandas.GeoSeries(shapes, crs=crs))
+    return geopandas.GeoDataFrame(columns, geometry=geopandas.GeoSeries(shapes, crs=region.crs))
 
 
 def _tree(frame: Any, names: Sequence[str], values: str) -> tuple[list[tuple[Any, ...]], Indices, Floats]:

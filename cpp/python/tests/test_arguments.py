@@ -44,6 +44,7 @@ def test_columns_and_points_with_radii_give_the_same_bits():
     expected = cv.compute(CIRCLES).vertices.tobytes()
     x, y, r = CIRCLES.T
     assert cv.compute(x, y, r).vertices.tobytes() == expected
+    assert cv.compute(x=x, y=y, r=r).vertices.tobytes() == expected
     assert cv.compute(CIRCLES[:, :2], r=r).vertices.tobytes() == expected
     assert cv.compute(CIRCLES[:, :2], r=0).circles[:, 2].tolist() == [0, 0, 0, 0]
 
@@ -106,6 +107,7 @@ KINDS = {
     "ids": Kind((), [-1], [0.5], [2**31], "x", None, [[1]], [True]),
     "new circles": Kind((), [[0, 1]], "x", None, Wrong([[0, 0, 1], [0, "0", 1]], row=1)),
     "replacements": Kind({}, 5, [1], {-1: (0, 0, 1)}, {0: (0, 1)}, {"0": (0, 0, 1)}),
+    "first column": Kind(CIRCLES[:, 0], CIRCLES, "x", None),
     "column": Kind(CIRCLES[:, 2], CIRCLES[:3, 2], CIRCLES, "x"),
     "areas": Kind("equal", [1], [], None, [[1]], *options("x")),
     "starting weights": Kind(0, [1, 2, 3], "x", None),
@@ -164,6 +166,7 @@ FUNCTIONS = [
     (cv.compute, ["rows"], COMPUTE),
     (lambda r: cv.compute(CIRCLES[:, :2], r=r), ["column"], {}),
     (lambda y, r: cv.compute(CIRCLES[:, 0], y, r), ["column", "column"], {}),
+    (lambda x, y: cv.compute(x=x, y=y, r=0), ["first column", "column"], {}),
     (cv.compute_periodic, ["rows", "period a", "period b"], {"metric": "metric", "threads": "threads"}),
     (cv.fit_areas, ["points", "areas", "needed region"], FIT),
     (cv.fit_areas_periodic, ["points", "areas", "period a", "period b"], FIT),
@@ -232,6 +235,10 @@ def test_an_error_is_a_value_error_with_a_code_and_survives_pickling():
         (lambda d: cv.compute(CIRCLES, method="fast"), "method must be one of auto, touching-disc, flip (got 'fast')."),
         (lambda d: cv.compute(CIRCLES, threads=1025), "threads must be a whole number from 0 to 1024 (got 1025)."),
         (lambda d: cv.compute(CIRCLES, x="x"), "x names a column of a table"),
+        (lambda d: cv.compute(), "circles must be an array of numbers (got None)."),
+        (lambda d: cv.compute(x=[1, 2]), "x needs y, an array of the same length."),
+        (lambda d: cv.compute(x=[1, 2], y=[1, 2], r=[1]), "r has 1 number; expected 2."),
+        (lambda d: cv.compute_sphere(lon=[1, 2]), "lon needs lat, an array of the same length."),
         (lambda d: cv.compute(CIRCLES[:, :2], r=CIRCLES[:1, 2]), "r has 1 number; expected 4."),
         (lambda d: cv.compute([[0, 0, 1], [4, 0]]), "Row 1 of circles has 2 numbers; expected 3 (x, y, r)."),
         (lambda d: cv.compute(CIRCLES[0]), "circles has the shape (3,); expected (n, 3): x, y, r."),
@@ -249,6 +256,7 @@ def test_an_error_is_a_value_error_with_a_code_and_survives_pickling():
         (lambda d: d.to_bytes("svg", attributes=[{}] * 4), "The format svg takes no attributes."),
         (lambda d: d.areas(bounds=(0, 0, 1, 1), region=CROSSED), "Give either bounds or region, not both."),
         (lambda d: d.areas(region=7), "region must be"),
+        (lambda d: d.areas(region="town.wkt"), "region is neither a file nor GeoJSON nor well-known text (got 'town.wkt')."),
         (lambda d: d.areas(region=CROSSED), "cross"),
         (lambda d: d.update(remove=[0.5]), "remove must be whole numbers from 0."),
         (lambda d: d.update(replace={-1: (0, 0, 1)}), "the ids of replace must be whole numbers from 0."),

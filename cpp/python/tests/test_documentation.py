@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs each Python block of the documentation, and the type checker."""
 
+import doctest
 import inspect
 import json
 import os
@@ -37,8 +38,28 @@ def test_a_block_of_the_page_runs(block, tmp_path):
 
 
 def test_the_sources_pass_the_type_checker():
-    run = subprocess.run(["mypy", "--cache-dir", ROOT / "build/mypy"], cwd=ROOT / "cpp/python", capture_output=True, text=True)
+    run = subprocess.run(["mypy", "--cache-dir", ROOT / "build/mypy"], cwd=ROOT, capture_output=True, text=True)
     assert run.returncode == 0, run.stdout
+
+
+SHAPELY = "class Polygon: ...\nclass MultiPolygon: ...\n"
+CELLS = """
+import circle_voronoi as cv
+reveal_type(cv.compute([]).polygons())
+reveal_type(cv.compute_sphere([]).polygons())
+reveal_type(cv.compute_periodic([], (1, 0), (0, 1)).polygons())
+"""
+
+
+def test_type_checkers_know_the_cells(tmp_path):
+    (tmp_path / "shapely").mkdir()
+    (tmp_path / "shapely/__init__.pyi").write_text("")
+    (tmp_path / "shapely/geometry.pyi").write_text(SHAPELY)
+    (tmp_path / "cells.py").write_text(CELLS)
+    env = {**os.environ, "MYPYPATH": f"{tmp_path}:{ROOT / 'cpp/python'}"}
+    run = subprocess.run(["mypy", "--cache-dir", tmp_path, "cells.py"], cwd=tmp_path, env=env, capture_output=True, text=True)
+    found = re.findall(r"Revealed type is \"builtins.list\[(.*)\]\"", run.stdout)
+    assert found == ["Union[shapely.geometry.Polygon, shapely.geometry.MultiPolygon, None]"] * 3, run.stdout
 
 
 def test_every_public_name_has_a_docstring():
@@ -48,3 +69,16 @@ def test_every_public_name_has_a_docstring():
         for member, value in vars(item).items() if inspect.isclass(item) else ():
             if not member.startswith("_") and (callable(value) or isinstance(value, property)):
                 assert value.__doc__, f"{name}.{member}"
+
+
+@pytest.mark.parametrize("name", cv.__all__)
+def test_the_examples_of_help_print_what_they_say(name, monkeypatch):
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    item = getattr(cv, name)
+    output = []
+    runner = doctest.DocTestRunner()
+    for test in doctest.DocTestFinder().find(item, name, module=False, globs={"cv": cv}):
+        runner.run(test, out=output.append)
+    assert "".join(output) == ""
+    if inspect.isfunction(item):
+        assert runner.summarize(verbose=False).attempted > 0

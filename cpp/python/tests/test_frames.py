@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import json
 import pickle
 import warnings
 
@@ -70,6 +71,47 @@ def test_a_region_in_another_crs_is_refused(use):
     with pytest.raises(cv.CircleVoronoiError, match="to_crs") as refused:
         use(cv.compute(frame(), r="radius"), shape.to_crs("EPSG:4326"))
     assert refused.value.code == "badOption"
+
+
+def in_crs(code):
+    """A region in a crs, in each form that has one."""
+    shape = geopandas.GeoSeries([Polygon([(0, 0), (90, 0), (0, 90)])], crs=code)
+    collection = {**json.loads(shape.to_json()), "crs": {"type": "name", "properties": {"name": f"urn:ogc:def:crs:{code.replace(':', '::')}"}}}
+    shape.to_file("region.geojson", driver="GeoJSON")
+    return [shape, geopandas.GeoDataFrame(geometry=shape), cv.Region(shape), collection, json.dumps(collection), "region.geojson"]
+
+
+@pytest.mark.parametrize("form", range(6), ids=["series", "frame", "region", "mapping", "text", "file"])
+def test_a_region_knows_its_crs(form):
+    diagram = cv.compute(frame(), r="radius")
+    assert diagram.areas(region=in_crs("EPSG:32633")[form]).sum() == pytest.approx(4050)
+    with pytest.raises(cv.CircleVoronoiError, match="EPSG:32632.*EPSG:32633.*to_crs") as refused:
+        diagram.areas(region=in_crs("EPSG:32632")[form])
+    assert refused.value.code == "badOption"
+
+
+def test_a_crs_that_is_none_is_one_error():
+    shape = {**Polygon([(0, 0), (90, 0), (0, 90)]).__geo_interface__, "crs": {"type": "name", "properties": {"name": "nowhere"}}}
+    with pytest.raises(cv.CircleVoronoiError, match="The member crs of region"):
+        cv.Region(shape)
+    assert cv.Region({**shape, "crs": None}).crs is None
+
+
+def test_a_table_has_the_attributes():
+    points = frame().iloc[:5].assign(
+        count=np.array([1, 2, 3, 4, 5], dtype=np.int64),
+        height=[1.5, np.nan, 2, 3, 4],
+        opened=pandas.to_datetime(["2024-05-01 12:00", None, "2024-05-03", "2024-05-04", "2024-05-05"]),
+        level=pandas.array([1, None, 3, 4, 5], dtype="Int64"),
+        kind=pandas.Categorical(["a", "b", "a", "a", "b"]),
+    )
+    diagram = cv.compute(points, r=1)
+    properties = [one["properties"] for one in json.loads(diagram.to_bytes("geojson", attributes=points))["features"]]
+    expected = {"name": "s0", "count": 1, "height": 1.5, "opened": "2024-05-01T12:00:00", "level": 1, "kind": "a"}
+    assert {name: properties[0][name] for name in expected} == expected
+    assert {name: properties[1][name] for name in ("height", "opened", "level")} == dict.fromkeys(("height", "opened", "level"))
+    with pytest.raises(cv.CircleVoronoiError, match="several columns of the same name"):
+        diagram.to_bytes("json", attributes=pandas.DataFrame([[1, 2]] * 5, columns=["a", "a"]))
 
 
 def with_geometry(row, geometry):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import numpy as np
+import pandas
 import pytest
 from conftest import random_circles
 
@@ -42,6 +43,24 @@ def test_the_contact_table_agrees_with_the_neighbors():
     distance = np.hypot(*(periodic.circles[contacts.circle, :2] - images).T)
     radii = periodic.circles[contacts.circle, 2] + periodic.circles[contacts.neighbor, 2]
     assert contacts.gap == pytest.approx(distance - radii, abs=1e-9)
+
+
+def test_contacts_are_a_table():
+    contacts = cv.compute_periodic(random_circles(30, 2), (100, 0), (0, 100)).contacts()
+    table = contacts.to_dataframe()
+    assert table.shape == (len(contacts.circle), 6)
+    assert table[["shift_a", "shift_b"]].to_numpy().tolist() == contacts.shift.tolist()
+    for name in ("circle", "neighbor", "length", "gap"):
+        assert table[name].tolist() == getattr(contacts, name).tolist()
+
+
+def test_points_and_tables_repeat_too():
+    circles = random_circles(30, 4)
+    box = ((100, 0), (0, 100))
+    table = pandas.DataFrame(circles, columns=["east", "north", "size"])
+    expected = cv.compute_periodic(circles, *box).images.vertices.tobytes()
+    assert cv.compute_periodic(table, *box, x="east", y="north", r="size").images.vertices.tobytes() == expected
+    assert cv.compute_periodic(circles[:, :2], *box, r=circles[:, 2]).images.vertices.tobytes() == expected
 
 
 def test_find_wraps():

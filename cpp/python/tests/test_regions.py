@@ -45,6 +45,18 @@ def test_a_region_comes_from_a_file_and_goes_back_to_shapely():
     assert region.area == ROOM.area and region.bounds == ROOM.bounds
 
 
+@pytest.mark.parametrize("name, text", [("room.geojson", json.dumps(mapping(ROOM))), ("room (1).wkt", ROOM.wkt)])
+def test_a_region_is_the_name_of_a_file(name, text):
+    Path(name).write_text(text)
+    diagram = cv.compute(random_circles(50, 1))
+    assert diagram.areas(region=name).tobytes() == diagram.areas(region=ROOM).tobytes()
+    assert diagram.to_bytes("geojson", region=name) == diagram.to_bytes("geojson", region=ROOM)
+    Path(name).write_text("nothing")
+    with pytest.raises(cv.CircleVoronoiError) as caught:
+        diagram.areas(region=name)
+    assert str(caught.value).startswith(f"{name}:1:")
+
+
 def test_polygons_in_a_region_are_valid_and_cover_it():
     cells = cv.compute(random_circles(80, 2)).polygons(region=ROOM)
     parts = [cell for cell in cells if cell is not None]

@@ -123,3 +123,9 @@ def test_few_circles_have_a_diagram():
     two = cv.compute_sphere([[0, 90, 0], [0, -90, 100]])
     assert two.closest_pair() == (0, 1, pytest.approx(np.pi * cv.EARTH_RADIUS - 100))
     assert two.neighbors(0).tolist() == [1] and sorted(two.edges[0].tolist()) == [-1, -1, 0, 1]
+
+
+def test_columns_of_places_are_arguments():
+    lon, lat, r = random_caps(20, 9, 100).T
+    expected = cv.compute_sphere(lon, lat, r).vertices.tobytes()
+    assert cv.compute_sphere(lon=lon, lat=lat, r=r).vertices.tobytes() == expected
