@@ -89,7 +89,7 @@ ${asked(spec, inline)}`
 <p class="title">Try it</p>
 <p id="${name}-ask">${inline(ask)}</p>
 <figure id="${name}">
-<div class="numbered">${element(spec)}</div>
+${element(spec)}
 <div class="drive"><p class="now"></p><button type="button" class="undo">Undo</button><button type="button" class="reset">Reset</button></div>
 <figcaption><output data-done="Well done."></output> ${links(spec, inline)}</figcaption>
 </figure>

@@ -9,6 +9,7 @@ import { held, Observer } from './element-page.ts'
 import { control, controls, send } from './page-document.ts'
 import { ThreadHere } from './page-threads.ts'
 import { box } from './shapes.ts'
+import { eventually } from './turns.ts'
 import { quiet, soon, surround } from './whole-page.ts'
 
 const THREE = [
@@ -24,6 +25,7 @@ const EVENTS = [
   'circleschange',
   'diagramchange',
   'checkchange',
+  'goalschange',
   'selectionchange',
   'stepchange',
   'input',
@@ -172,6 +174,29 @@ describe('a check', () => {
     element.removeAttribute('check')
     await settled(element)
     expect([now(), checked(), element.check]).toEqual([[undefined, true, false], [false], undefined])
+  })
+
+  it('rings its circles, tells their values in the language of the element, and closes the rings once it is met', async () => {
+    const { element, part, events, keys } = await shown({
+      circles: TEXT,
+      check: '{"all": [{"cell": 1, "hidden": false}, {"circles": 4}]}',
+    })
+    await settled(element)
+    const told = () => events.splice(0).flatMap(({ type, detail }) => (type === 'goalschange' ? [detail.text] : []))
+    expect(told()).toEqual(['Hidden now no, goal no; circles now 3, goal 4'])
+    expect(part('#about').textContent).toContain('circles now 3, goal 4')
+    const ring = () => part('.rings circle').getAttribute('class')
+    expect(part('.rings b').textContent).toBe('1')
+    element.selection = [0]
+    await keys({ key: 'd', ctrlKey: true })
+    expect(told()).toEqual(['Hidden now no, goal no; circles now 4, goal 4'])
+    expect(ring()).toContain('closed')
+    element.lang = 'de'
+    await eventually(() => expect(told()).toEqual(['Verborgen jetzt nein, Ziel nein; Kreise jetzt 4, Ziel 4']))
+    element.removeAttribute('check')
+    await settled(element)
+    expect(told()).toEqual([''])
+    expect(element.shadowRoot?.querySelector('.rings circle')).toBeNull()
   })
 
   it('that is replaced while it is examined says nothing', async () => {

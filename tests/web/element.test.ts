@@ -14,6 +14,7 @@ import {
 import { checkCircles, holds, idsOf, parseCheck, withIds } from '../../web/element/check.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
 import { openedFrom, regionFrom } from '../../web/element/data-of.ts'
+import { ENGLISH_GOALS, goalRings, goalSentence, goalsOf } from '../../web/element/goals.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { circlesOfMarkdown, readCircles } from '../../web/element/read-circles.ts'
 import { type ElementRefusals, ENGLISH } from '../../web/element/refusals.ts'
@@ -294,6 +295,36 @@ describe('a check', () => {
     expect(holds(parseCheck(JSON.stringify(given)), facts)).toBe(expected)
   })
 
+  test('has goals with their values, in a sentence and at each circle', () => {
+    const check = parseCheck(
+      '{ "all": [{ "cell": 1, "edges": 4, "neighbor": 3 }, { "cell": 2, "edges": 4, "r": 3 }, { "hidden": { "max": 1 } }] }',
+    )
+    const goals = goalsOf(check, facts)
+    expect(goals.map(({ name, cell, value, isMet }) => [name, cell, value, isMet])).toEqual([
+      ['edges', 1, 3, false],
+      ['neighbor', 1, false, false],
+      ['edges', 2, 3, false],
+      ['r', 2, 3, true],
+      ['hidden', undefined, 1, true],
+    ])
+    // Equal goals are told together, and an exact number that a reader has set is not told.
+    expect(goalSentence(goals, ENGLISH_GOALS)).toBe(
+      'Edges now 3, 3, goal 4; cells share an edge now no, goal yes; hidden circles now 1, goal at most 1',
+    )
+    const rings = (isMet: boolean) =>
+      goalRings(check, goals, isMet, ENGLISH_GOALS).map(({ id, text, isClosed }) => [id, text, isClosed])
+    expect(rings(false)).toEqual([
+      [1, '3 edges', false],
+      [3, '', false],
+      [2, '3 edges', false],
+    ])
+    expect(rings(true).map(([, , isClosed]) => isClosed)).toEqual([true, true, true])
+    // The goals of one circle may be reached before those of others.
+    const either = parseCheck('{ "all": [{ "cell": 1, "edges": 3 }, { "cell": 2, "edges": 4 }] }')
+    const part = goalRings(either, goalsOf(either, facts), false, ENGLISH_GOALS)
+    expect(part.map(({ isClosed }) => isClosed)).toEqual([true, false])
+  })
+
   test('names other ids for all its circles, which have been there', () => {
     const text =
       '{ "all": [{ "cell": 1, "neighbor": 2 }, { "not": { "any": [{ "cell": 3, "x": 1 }, { "circles": 2 }] } }] }'
@@ -369,7 +400,7 @@ describe('the manifest', () => {
   })
 
   test('has the parts, slots and custom properties that there are', () => {
-    const shell = read('web/element/shell.ts')
+    const shell = read('web/element/shell.ts') + read('web/view/rings.ts')
     const said = (pattern: RegExp, text: string) => [...text.matchAll(pattern)].map(([, name]) => name as string)
     expect(names(element.cssParts).sort()).toEqual(said(/setAttribute\('part', '([\w-]+)'\)/g, shell).sort())
     expect(names(element.slots).sort()).toEqual(said(/slot\('(\w*)'\)/g, shell).sort())

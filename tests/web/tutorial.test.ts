@@ -4,10 +4,10 @@ import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
+import { ENGLISH_GOALS, goalSentence, goalsOf } from '../../web/element/goals.ts'
 import { distanceFrom } from '../../web/lib/base/metric.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/index.ts'
 import { countSamples, sentenceOf } from '../../web/tutorial/count-samples.ts'
-import { goalSentence, goalsOf } from '../../web/tutorial/goals.ts'
 import { compare, loadPrintedRules, RULES, type Rule, sentenceOf as whatOf } from '../../web/tutorial/printed-rules.ts'
 import { layersFrom } from '../../web/view/layers.ts'
 import { factsOf } from '../../web/view/painter/facts.ts'
@@ -33,7 +33,7 @@ describe('what is to be reached', () => {
         }
         const facts = factsOf({ diagram, limits: {} }, counts, idsOf(asked))
         // The reader is told a number with each goal.
-        expect(goalSentence(goalsOf(asked, facts))).toMatch(/ (\d|∞).* (\d|∞)/)
+        expect(goalSentence(goalsOf(asked, facts), ENGLISH_GOALS)).toMatch(/ (\d|∞).* (\d|∞)/)
         return holds(asked, facts)
       }
       expect(isSo(circles as number[][])).toBe(false)

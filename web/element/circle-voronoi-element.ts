@@ -19,6 +19,7 @@ import type { FigureLoadOptions } from '../view/load.ts'
 import { Paper } from '../view/paper.ts'
 import { shownValue } from '../view/refusal.ts'
 import { isRegionText, readRegion } from '../view/region-text.ts'
+import { Rings } from '../view/rings.ts'
 import type { View } from '../view/view.ts'
 import {
   checkedAreas,
@@ -36,6 +37,7 @@ import {
 import { checkCircles, holds, idsOf, parseCheck } from './check.ts'
 import { mountControls, paddingBelow } from './controls.ts'
 import { circlesWithin, linkState, opened, openedFrom, openedState, openedText, regionFrom } from './data-of.ts'
+import { type Goal, goalRings, goalSentence, goalsOf } from './goals.ts'
 import { whenIdle } from './idle.ts'
 import { loadWords, wordsOf } from './language.ts'
 import { circlesOfValue, readCircles } from './read-circles.ts'
@@ -78,6 +80,8 @@ export interface CircleVoronoiEventMap {
   diagramchange: CustomEvent<DiagramCounts & { readonly seconds: number }>
   /** The circles now meet the `check`, or no longer do. */
   checkchange: CustomEvent<{ readonly isMet: boolean }>
+  /** A value that the `check` asks for has changed. `text` says all values and goals in the language of the element. */
+  goalschange: CustomEvent<{ readonly goals: readonly Goal[]; readonly text: string }>
   /** The selection has changed: the ids of the selected circles. */
   selectionchange: CustomEvent<{ readonly selection: readonly number[] }>
   /** A reader has changed the circles, also while dragging one: like the event of form controls. */
@@ -128,6 +132,8 @@ const ATTRIBUTES = [
  * @csspart player - The player: the text about the method, and its buttons.
  * @csspart hint - The hint that is visible for a moment.
  * @csspart problem - The error message.
+ * @csspart rings - The rings around the circles of the check, with their labels.
+ * @csspart ring-number - The number of the circle in a label.
  * @cssState met - The circles meet the check.
  * @cssprop {<color>} --circle-voronoi-paper - The background.
  * @cssprop {<color>} --circle-voronoi-edge - Edges and vertices of the diagram.
@@ -187,6 +193,11 @@ export class CircleVoronoiElement extends Base {
   #areas: Areas | undefined
   #check: Check | undefined
   #isMet: boolean | undefined
+  #goals: readonly Goal[] = []
+  /** The goals in a sentence, as the last event told them. */
+  #goalText = ''
+  /** The rings around the circles of the check, once there is one. */
+  #rings: Rings | undefined
   #isDisabled = false
   #isShown = true
   #selection: readonly number[] = []
@@ -911,6 +922,8 @@ export class CircleVoronoiElement extends Base {
       this.#past = { own, past }
     }
     this.#loading?.abort()
+    this.#rings?.dispose()
+    this.#rings = undefined
     figure.dispose()
     this.#figure = undefined
     this.#shell.isRunning = false
@@ -1121,6 +1134,7 @@ export class CircleVoronoiElement extends Base {
     // The figure or the check may have been replaced in the meantime.
     if (figure !== this.#figure || check !== this.#check) return
     const isMet = check && facts !== undefined && holds(check, facts)
+    this.#goals = check === undefined || facts === undefined ? [] : goalsOf(check, facts)
     const isOther = isMet !== this.#isMet
     if (isOther) {
       this.#isMet = isMet
@@ -1128,6 +1142,7 @@ export class CircleVoronoiElement extends Base {
       else this.#internals.states?.delete('met')
       this.#describe()
     }
+    this.#tellGoals(isMet === true)
     if (isMet === false) this.#internals.setValidity({ customError: true }, this.#words.unmet, this.#shell.figure)
     else this.#internals.setValidity({})
     if (isOther) this.#tell('checkchange', { isMet: isMet === true })
@@ -1136,9 +1151,24 @@ export class CircleVoronoiElement extends Base {
     this.#internals.setFormValue(JSON.stringify(isMet === undefined ? { circles } : { circles, check: isMet }))
   }
 
+  /** Shows and reports the goals, if their text has changed. */
+  #tellGoals(isMet: boolean): void {
+    const { goals: words } = this.#words
+    const check = this.#check
+    const figure = this.#figure
+    if (check !== undefined && figure !== undefined) this.#rings ??= new Rings(this.#shell.frame, figure.view)
+    this.#rings?.show(check === undefined ? [] : goalRings(check, this.#goals, isMet, words))
+    const text = goalSentence(this.#goals, words)
+    if (text === this.#goalText) return
+    this.#goalText = text
+    this.#describe()
+    this.#tell('goalschange', { goals: this.#goals, text })
+  }
+
   #describe(): void {
     const words = this.#words
-    const said = this.#isMet === undefined ? '' : this.#isMet ? ` ${words.met}` : ` ${words.unmet}`
+    const goals = this.#goalText === '' ? '' : ` ${this.#goalText}.`
+    const said = this.#isMet === undefined ? '' : this.#isMet ? ` ${words.met}` : ` ${words.unmet}${goals}`
     const counts = this.#figure?.store.get().edited?.counts
     const about = counts === undefined ? '' : words.describe(counts) + said
     this.#shell.describe(words, this.alt, about, this.#isReadonly)
@@ -1153,6 +1183,7 @@ export class CircleVoronoiElement extends Base {
     const show = () => {
       this.#applyControls()
       this.#showProblems()
+      this.#tellGoals(this.#isMet === true)
       this.#figure?.stepping.redraw()
     }
     show()

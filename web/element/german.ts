@@ -7,6 +7,7 @@ import type { EditingWords } from '../editing/words.ts'
 import type { ErrorCode } from '../lib/base/errors.ts'
 import type { PlayerWords } from '../player/words.ts'
 import { listed } from '../view/refusal.ts'
+import type { GoalWords } from './goals.ts'
 import type { ElementRefusals } from './refusals.ts'
 import { numbersOf, type Words } from './words.ts'
 
@@ -21,6 +22,7 @@ export function germanWords(lang: string): Words {
     wheelHint: 'Strg und das Mausrad zoomen; nach einem Klick auch das Mausrad allein',
     met: 'Gelöst.',
     unmet: 'Noch nicht gelöst.',
+    goals: GOALS,
     buttons: {
       add: 'Kreis hinzufügen',
       remove: 'Auswahl löschen',
@@ -38,6 +40,34 @@ export function germanWords(lang: string): Words {
       return `${count(circles, 'Kreis', 'Kreise')}${inside}; das Diagramm hat ${count(vertices, 'Ecke', 'Ecken')} und ${count(edges, 'Kante', 'Kanten')}.`
     },
   }
+}
+
+const GOALS: GoalWords = {
+  names: {
+    area: 'Fläche',
+    neighbors: 'Nachbarn',
+    edges: 'Kanten',
+    bounded: 'Zelle ist begrenzt',
+    hidden: 'verborgen',
+    neighbor: 'Zellen haben eine gemeinsame Kante',
+    r: 'Radius',
+    x: 'x',
+    y: 'y',
+    circles: 'Kreise',
+    vertices: 'Ecken',
+  },
+  hiddenCircles: 'verborgene Kreise',
+  counted: (name, value) => {
+    if (name === 'edges') return plural(value, 'Kante', 'Kanten')
+    if (name === 'neighbors') return plural(value, 'Nachbar', 'Nachbarn')
+    return `${GOALS.names[name]} ${value}`
+  },
+  yes: 'ja',
+  no: 'nein',
+  is: (name, now, goal) => `${name} jetzt ${now}, Ziel ${goal}`,
+  atLeast: (least) => `mindestens ${least}`,
+  atMost: (most) => `höchstens ${most}`,
+  between: (least, most) => `${least} bis ${most}`,
 }
 
 const KEYS: KeyHelp = {
@@ -170,7 +200,7 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   notComputedAgain: 'Das Diagramm konnte nicht berechnet werden. Versuchen Sie es noch einmal.',
 }
 
-const plural = (count: number, one: string, many: string) => `${count} ${count === 1 ? one : many}`
+const plural = (count: number | string, one: string, many: string) => `${count} ${Number(count) === 1 ? one : many}`
 const list = (items: readonly (number | string)[]) => listed(items.map(String), 'und')
 const circles = (ids: readonly number[]) => (ids.length === 1 ? `Kreis ${ids[0]}` : `die Kreise ${list(ids)}`)
 const ofCircles = (ids: readonly number[]) => (ids.length === 1 ? `von Kreis ${ids[0]}` : `der Kreise ${list(ids)}`)

@@ -27,6 +27,7 @@ const LISTENERS = {
   onCirclesChange: 'circleschange',
   onDiagramChange: 'diagramchange',
   onCheckChange: 'checkchange',
+  onGoalsChange: 'goalschange',
   onSelectionChange: 'selectionchange',
   onStepChange: 'stepchange',
   onError: 'error',
@@ -51,6 +52,8 @@ export interface CircleVoronoiComponentProps extends CircleVoronoiProps, Listene
   onDiagramChange?: Listener<'diagramchange'>
   /** Called with `checkchange`. */
   onCheckChange?: Listener<'checkchange'>
+  /** Called with `goalschange`. */
+  onGoalsChange?: Listener<'goalschange'>
   /** Called with `selectionchange`. */
   onSelectionChange?: Listener<'selectionchange'>
   /** Called with `stepchange`. */

@@ -5,6 +5,7 @@ import type { ProblemWords } from '../editing/problem.ts'
 import { type EditingWords, ENGLISH_EDITING } from '../editing/words.ts'
 import type { PlayerWords } from '../player/words.ts'
 import type { DiagramCounts } from '../view/diagram-counts.ts'
+import { ENGLISH_GOALS, type GoalWords } from './goals.ts'
 import type { ElementRefusals } from './refusals.ts'
 
 /** The texts of an element. */
@@ -18,6 +19,7 @@ export interface Words {
   readonly wheelHint: string
   readonly met: string
   readonly unmet: string
+  readonly goals: GoalWords
   readonly buttons: {
     readonly add: string
     readonly remove: string
@@ -47,6 +49,7 @@ export function english(lang: string): Words {
     wheelHint: 'Ctrl and the wheel zoom; so does the wheel alone after a click',
     met: 'Solved.',
     unmet: 'Not solved yet.',
+    goals: ENGLISH_GOALS,
     buttons: {
       add: 'Add a circle',
       remove: 'Delete what is selected',

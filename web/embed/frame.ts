@@ -62,6 +62,10 @@ export class Frame {
       this.#showMet()
       this.#tellSoon()
     })
+    // No live region, because the values change with each step of a drag. The figure's description has them, too.
+    this.#figure.addEventListener('goalschange', ({ detail }) => {
+      this.#part('goals').textContent = detail.text
+    })
     this.#part('again').addEventListener('click', () => this.startOver())
     const observer = new ResizeObserver(() => this.#resized())
     observer.observe(main)

@@ -8,8 +8,8 @@ const SVG = 'http://www.w3.org/2000/svg'
 /** The events after which a figure's viewport may have changed. */
 const MOVES = ['pointermove', 'pointerup', 'wheel', 'keydown', 'keyup', 'dblclick', 'circleschange'] as const
 
-/** Writes a text at each circle, by its index: the index itself, unless another text is given. */
-export function numberCircles(figure: CircleVoronoiElement, textOf = (i: number) => `${i}`): void {
+/** Writes its index at each circle. */
+export function numberCircles(figure: CircleVoronoiElement): void {
   const page = figure.ownerDocument
   const svg = page.createElementNS(SVG, 'svg')
   svg.classList.add('numbers')
@@ -28,7 +28,7 @@ export function numberCircles(figure: CircleVoronoiElement, textOf = (i: number)
       const text = page.createElementNS(SVG, 'text')
       text.setAttribute('x', `${x}`)
       text.setAttribute('y', `${y}`)
-      text.textContent = textOf(i)
+      text.textContent = `${i}`
       return text
     })
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`)

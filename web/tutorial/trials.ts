@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CircleVoronoiElement } from '../element/index.ts'
 
-/** Checks the goals of exercises, shows or hides the message of success, and undoes and resets their figures. */
+/** Shows the goals of exercises and the message of success, and undoes and resets their figures. */
 export function followTrials(page: ParentNode): void {
   for (const section of page.querySelectorAll<HTMLElement>('.try')) {
     const output = section.querySelector('figcaption output') as HTMLOutputElement
     const figure = section.querySelector('circle-voronoi') as CircleVoronoiElement
+    const now = section.querySelector('.now') as HTMLElement
+    figure.addEventListener('goalschange', ({ detail: { text } }) => {
+      now.textContent = text
+    })
     figure.addEventListener('checkchange', ({ detail: { isMet } }) => {
       section.classList.toggle('done', isMet)
       output.value = isMet ? (output.dataset.done as string) : ''

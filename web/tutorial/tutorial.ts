@@ -24,10 +24,6 @@ if (document.querySelector('output.counts') !== null) {
   // Prepares the counts early, because distant figures become ready late.
   void sayCounts(document)
 }
-if (document.querySelector('.try') !== null) {
-  const { tellGoals } = await import('./goals.ts')
-  void tellGoals(document)
-}
 if (document.querySelector('.legend') !== null) {
   const { showLegends } = await import('./legends.ts')
   showLegends(document)

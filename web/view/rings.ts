@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rings around circles with a label each, above the picture of a view. The styles are in theme.css.
+import type { View } from './view.ts'
+
+/** A ring around a circle. It is open until its goal is reached. */
+export interface Ring {
+  readonly id: number
+  readonly number: string
+  /** The text beside the number; may be empty. */
+  readonly text: string
+  readonly isClosed: boolean
+}
+
+const SVG = 'http://www.w3.org/2000/svg'
+/** Distance from a circle to its ring, the smallest ring, and from a ring to its label, in pixels. */
+const DISTANCE = 7
+const SMALLEST = 14
+const GAP = 4
+/** Height of a label, in pixels. */
+const LABEL = 22
+
+/** Draws rings in a container, which the view's container covers exactly. */
+export class Rings {
+  readonly #view: View
+  readonly #layer: HTMLElement
+  readonly #svg: SVGSVGElement
+  readonly #drawn = new Map<number, { readonly ring: SVGCircleElement; readonly label: HTMLElement }>()
+  readonly #stop: readonly (() => void)[]
+  #rings: readonly Ring[] = []
+
+  constructor(container: HTMLElement, view: View) {
+    this.#view = view
+    const page = container.ownerDocument
+    this.#layer = page.createElement('div')
+    this.#layer.className = 'rings'
+    this.#layer.setAttribute('part', 'rings')
+    // The text of the page says the same.
+    this.#layer.ariaHidden = 'true'
+    this.#svg = page.createElementNS(SVG, 'svg')
+    this.#layer.append(this.#svg)
+    container.append(this.#layer)
+    const observer = new ResizeObserver(() => this.#place())
+    observer.observe(container)
+    this.#stop = [
+      view.on('camera', () => this.#place()),
+      view.on('changed', () => this.#place()),
+      () => observer.disconnect(),
+    ]
+  }
+
+  /** Shows these rings instead of the former ones. */
+  show(rings: readonly Ring[]): void {
+    const page = this.#layer.ownerDocument
+    this.#rings = rings
+    for (const [id, { ring, label }] of this.#drawn) {
+      if (rings.some((shown) => shown.id === id)) continue
+      ring.remove()
+      label.remove()
+      this.#drawn.delete(id)
+    }
+    for (const { id, number, text, isClosed } of rings) {
+      let drawn = this.#drawn.get(id)
+      if (drawn === undefined) {
+        const label = page.createElement('span')
+        const name = page.createElement('b')
+        name.setAttribute('part', 'ring-number')
+        label.append(name, page.createElement('span'))
+        drawn = { ring: page.createElementNS(SVG, 'circle'), label }
+        // Lengths along the ring do not depend on its size.
+        drawn.ring.setAttribute('pathLength', '100')
+        this.#svg.append(drawn.ring)
+        this.#layer.append(label)
+        this.#drawn.set(id, drawn)
+      }
+      const [name, value] = drawn.label.children as unknown as [HTMLElement, HTMLElement]
+      name.textContent = number
+      value.textContent = text
+      for (const part of [drawn.ring, drawn.label]) part.classList.toggle('closed', isClosed)
+    }
+    this.#place()
+  }
+
+  #place(): void {
+    const { camera, size, circles } = this.#view
+    for (const { id } of this.#rings) {
+      const { ring, label } = this.#drawn.get(id) as { ring: SVGCircleElement; label: HTMLElement }
+      const circle = circles.get(id)
+      const isHidden = circle === undefined
+      ring.classList.toggle('gone', isHidden)
+      label.classList.toggle('gone', isHidden)
+      if (isHidden) continue
+      const { x, y } = this.#view.toScreen(circle)
+      const r = Math.max(circle.r * camera.scale + DISTANCE, SMALLEST)
+      for (const [name, value] of Object.entries({ cx: x, cy: y, r })) ring.setAttribute(name, `${value}`)
+      const below = y + r + GAP
+      // A label has to stay in sight, above its circle if there is no room below.
+      const top = below + LABEL <= size.height ? below : y - r - GAP - LABEL
+      label.style.translate = `calc(${x}px - 50%) ${top}px`
+    }
+  }
+
+  dispose(): void {
+    for (const stop of this.#stop) stop()
+    this.#layer.remove()
+  }
+}
