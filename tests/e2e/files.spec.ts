@@ -248,14 +248,15 @@ test('copies a link and the code of a frame, which show the same', async ({ app 
   const frame = await copied('Copy embed code')
   await expect(app.page.locator('#toast')).toHaveText('The code is in the clipboard.')
   expect(frame).toBe(
-    `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of circles" loading="lazy" width="100%" height="480" style="width: 100%; height: auto; aspect-ratio: 3 / 2; max-height: 90vh; border: 0"></iframe>`,
+    `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of 3 circles" loading="lazy" width="100%" height="480" style="width: 100%; height: auto; aspect-ratio: 3 / 2; max-height: 90vh; border: 0"></iframe>`,
   )
   // The code contains the circles themselves, so that it works anywhere.
   const element = await copied('Copy element')
   const lines =
-    /^<script type="module" src="([^"]+)"><\/script>\n<circle-voronoi src="#(v1\.[\w-]+)" controls><\/circle-voronoi>$/
+    /^<script type="module" src="([^"]+)"><\/script>\n<circle-voronoi src="#(v1\.[\w-]+)" controls alt="(.+)">\3<\/circle-voronoi>$/
   expect(element).toMatch(lines)
-  const [, module, said] = lines.exec(element) as RegExpExecArray
+  const [, module, said, about] = lines.exec(element) as RegExpExecArray
+  expect(about).toBe('Voronoi diagram of 3 circles')
   expect(module).toBe(new URL('element.js', link).href)
   expect((await app.page.request.get(module as string)).status()).toBe(200)
   expect((await decodeLink(said as string)).circles).toEqual((await decodeLink(new URL(link).hash)).circles)

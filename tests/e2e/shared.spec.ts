@@ -30,7 +30,7 @@ async function contentsOf(pdf: Buffer) {
   return { curves, images: count(/\/Subtype \/Image/g), pages: count(/\/Type \/Page\b/g) }
 }
 
-test('a worksheet has a title, a question, the drawing and a code that opens the question, on one page', async ({
+test('a worksheet has circles to draw on, a code and the address of the question, and a key on a second page', async ({
   eight: app,
 }) => {
   const { page } = app
@@ -47,7 +47,18 @@ test('a worksheet has a title, a question, the drawing and a code that opens the
   await page.emulateMedia({ media: 'print', colorScheme: 'dark' })
   await page.setViewportSize({ width: 794, height: 1123 })
   await expect(sheet.getByRole('heading', { name: 'Who is nearest?' })).toBeVisible()
-  await expect(sheet).toContainText('Move the circles until the cell of circle 0 has 3 edges.')
+  await expect(sheet.locator('section').first().getByRole('listitem')).toHaveText([
+    'Draw the border of each cell: the points that are equally far from two circles.',
+    'Then draw the circles again, so that the cell of circle 0 has 3 edges.',
+  ])
+  // The first page has circles, a ring and a number, and the second one the borders and the current value.
+  const [blank, key] = [sheet.locator('section').nth(0), sheet.locator('section').nth(1)]
+  expect(await blank.locator('figure path').count()).toBe(0)
+  await expect(blank.locator('figure text')).toHaveText('0')
+  expect(await blank.locator('figure circle').count()).toBe((2 * START.length) / 3 + 1)
+  expect(await key.locator('figure path').count()).toBeGreaterThan(START.length / 3)
+  await expect(key.locator('figure text')).toHaveText(/^0: \d edges$/)
+  await expect(key.getByRole('heading')).toHaveText('Key: Who is nearest?')
   await expect(page.locator('#top')).toBeHidden()
   const code = sheet.locator('footer svg')
   const shot = (await code.screenshot()).toString('base64')
@@ -64,11 +75,12 @@ test('a worksheet has a title, a question, the drawing and a code that opens the
   }, shot)
   const address = jsQR(Uint8ClampedArray.from(data), width, height)?.data ?? ''
   expect(address).toMatch(/\/embed\.html#v1\./)
+  await expect(sheet.locator('footer code')).toHaveText(address)
   const { title, question, check, circles } = await decodeLink(new URL(address).hash)
   expect({ title, question, check }).toMatchObject({ title: 'Who is nearest?', check: { cell: 0, edges: 3 } })
   expect(circles).toEqual(START)
   const { curves, images, pages } = await contentsOf(await page.pdf({ format: 'A4' }))
-  expect([images, pages]).toEqual([0, 1])
+  expect([images, pages]).toEqual([0, 2])
   expect(curves).toBeGreaterThan(50)
   // The dialog for printing is closed.
   await expect(sheet).toBeHidden()

@@ -107,6 +107,41 @@ describe('the form for a question', () => {
     expect(control(panel, 'Circle of condition 1').value).toBe('0')
   })
 
+  it('takes a circle by a click, and rings the circles of its conditions as long as it is open', async () => {
+    const choose = 'Choose in the picture: Circle of condition 1'
+    const rings = () => all(document.body, '.rings > span:not(.gone)').map(textOf)
+    expect(rings()).toEqual(['34 edges'])
+    await pressed(panel, choose)
+    expect(control(panel, choose).ariaPressed).toBe('true')
+    expect(page.store.get().selection).toEqual([])
+    page.actions.select([2])
+    await quiet()
+    expect(control(panel, 'Circle of condition 1').value).toBe('2')
+    expect(control(panel, choose).ariaPressed).toBe('false')
+    expect(rings()).toEqual([expect.stringMatching(/^2\d edges$/)])
+    // The next click selects as usual.
+    page.actions.select([1])
+    await quiet()
+    expect(control(panel, 'Circle of condition 1').value).toBe('2')
+    await pressed(panel, choose)
+    await pressed(panel, choose)
+    page.actions.select([0])
+    await quiet()
+    expect(control(panel, 'Circle of condition 1').value).toBe('2')
+    await toggle()
+    expect(rings()).toEqual([])
+    await toggle()
+  })
+
+  it('asks for circles by the numbers that the frame gives them', async () => {
+    await page.actions.edit([{ kind: 'remove', id: 1 }])
+    await quiet()
+    expect(await frameNow()).toMatchObject({
+      question: 'Move the circles until the cell of circle 2 has 3 edges.',
+      check: { cell: 2, edges: 3 },
+    })
+  })
+
   it('has the fields of each kind of condition, and says its value now', async () => {
     const values: Record<string, string> = {
       'cell.edges': 'now 4',

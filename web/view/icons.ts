@@ -36,6 +36,7 @@ export const SELECT = 'm5 3 11 6-5 1.5L8.5 16Z'
 export const SEND = 'M10 12V3m-3 3 3-3 3 3M5 9H4v8h12V9h-1'
 export const STOP = 'M5.5 5.5h9v9h-9z'
 export const TABLE = 'M3 4.5h14v11H3zM3 8.5h14M3 12h14M8 4.5v11'
+export const TARGET = 'M4.5 10a5.5 5.5 0 1 0 11 0a5.5 5.5 0 1 0-11 0M10 2v4M10 14v4M2 10h4M14 10h4'
 export const UNDO = 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8'
 
 // The following icons are filled.

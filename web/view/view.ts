@@ -325,14 +325,14 @@ export class View {
     this.#tell('layers', this.#layers)
   }
 
-  /** Returns the visible part as SVG text in the colors for white paper. */
-  toPrint(): Promise<string> {
+  /** Returns the visible part, or another one, as SVG text in the colors for white paper. */
+  toPrint(shot: ExportView = this): Promise<string> {
     const { style } = this.#container
     const before = style.colorScheme
     style.colorScheme = 'light'
     const light = { ...readStyle(this.#container), paper: '#ffffff' }
     style.colorScheme = before
-    return this.toSVG(this, light)
+    return this.toSVG(shot, light)
   }
 
   /** Returns the visible part, or another one, as SVG text without selection. */

@@ -4,7 +4,9 @@ import type { Editing } from '../../editing/editing.ts'
 import type { HowOpened } from '../../editing/opening-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
-import { withIds } from '../../element/check.ts'
+import { idsOf, withIds } from '../../element/check.ts'
+import { goalRings, goalsOf } from '../../element/goals.ts'
+import { loadWords, wordsOf } from '../../element/language.ts'
 import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
 import type { LinkFrame, LinkInput } from '../../lib/link.ts'
 import { plainRegion } from '../../lib/regions/region-shape.ts'
@@ -34,6 +36,8 @@ const READABLE = 'Open CSV, JSON, GeoJSON, well-known text, an SVG that was save
 const LONGEST_LINK = 2_000_000
 /** Size of the picture on a sheet of paper: A3 at 300 dots per inch. */
 const POSTER = { long: 4961, short: 3508 }
+/** Size of the picture on a worksheet, in pixels. */
+const SHEET = { width: 960, height: 640 }
 /** Margin around all circles in a picture, in pixels. */
 const ROOM = 24
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
@@ -293,9 +297,8 @@ export class FileActions {
     })
   }
 
-  #shotOf(part: Part): ExportView {
-    const { camera, size } = this.#view
-    if (part === 'seen') return { camera, size }
+  #shotOf(part: Part, size = this.#view.size): ExportView {
+    if (part === 'seen') return { camera: this.#view.camera, size }
     const room = { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM }
     return { camera: fitted(boxOf(this.#editing.circles.box(), this.#editing.domain), size, room), size }
   }
@@ -319,29 +322,61 @@ export class FileActions {
   copyEmbedCode(): Promise<number | undefined> {
     const state = this.#actions.linkState()
     const shape = state?.step === undefined ? 'figure' : 'player'
-    return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`), undefined, shape), state)
+    return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`), this.#about, shape), state)
   }
 
   copyElementCode(): Promise<number | undefined> {
     const state = this.#wholeState()
     const controls = state.step === undefined ? 'controls' : 'controls="player"'
-    return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
+    return this.#copy((link) => elementCode(addressOf('element.js'), link, controls, this.#about), state)
+  }
+
+  /** Describes the figure for screen readers, until its author does. */
+  get #about(): string {
+    const { count } = this.#editing.circles
+    return `Voronoi diagram of ${count} ${count === 1 ? 'circle' : 'circles'}`
   }
 
   /** Copies the code of a frame with a question about the current state, or the address of the frame. */
   copyQuestion(what: 'code' | 'link', frame: LinkFrame): Promise<number | undefined> {
     const state = this.#questionState(frame)
     const shape = state.step === undefined ? 'question' : 'player'
-    const codeOf = (address: string) => (what === 'code' ? embedCode(address, frame.title, shape) : address)
+    const name = frame.alt ?? frame.title ?? this.#about
+    const codeOf = (address: string) => (what === 'code' ? embedCode(address, name, shape) : address)
     return this.#copy((link) => codeOf(addressOf(`embed.html#${link}`)), state)
   }
 
-  /** Prints a page with the question, the picture and a code of the frame's address. */
-  async printWorksheet(frame: LinkFrame): Promise<void> {
+  /**
+   * Prints the circles without their cells, to draw on, with a task and a code of the frame's address; and a key with the
+   * diagram.
+   */
+  async printWorksheet(frame: LinkFrame, task: string): Promise<void> {
     await this.#try(async () => {
-      const [link, svg] = await Promise.all([this.#shortLink(this.#questionState(frame)), this.#view.toPrint()])
+      const state = this.#questionState(frame)
+      const shot = state.view === undefined ? this.#shotOf('all', SHEET) : this.#shotOf('seen')
+      const { check, lang = 'en' } = frame
+      const [link, key, facts] = await Promise.all([
+        this.#shortLink(state),
+        this.#view.toPrint(shot),
+        this.#view.ask('tell', check === undefined ? [] : idsOf(check)),
+        loadWords(lang),
+      ])
       const { printWorksheet } = await import('./worksheet.ts')
-      await printWorksheet(byId('worksheet', HTMLElement), frame, svg, addressOf(`embed.html#${link}`))
+      const { circles } = this.#editing
+      const rings =
+        check === undefined || facts === undefined
+          ? []
+          : goalRings(check, goalsOf(check, facts), false, wordsOf(lang).goals)
+      await printWorksheet(byId('worksheet', HTMLElement), {
+        frame,
+        task,
+        key,
+        shot,
+        circles: circles.circles(),
+        // Circles are numbered as in the frame.
+        marks: rings.map(({ id, text }) => ({ index: circles.countBelow(id), text })),
+        address: addressOf(`embed.html#${link}`),
+      })
     })
   }
 

@@ -10,9 +10,13 @@ export function save(content: Blob, name: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000)
 }
 
-/** The HTML that shows a link's circles in another page: two lines, with the module next to this page. */
-export function elementCode(module: string, link: string, controls: string): string {
-  return `<script type="module" src="${module}"></script>\n<circle-voronoi src="#${link}" ${controls}></circle-voronoi>`
+/**
+ * The HTML that shows a link's circles in another page, with the module next to this page. `about` is the name for screen
+ * readers, and the text where the module does not run.
+ */
+export function elementCode(module: string, link: string, controls: string, about: string): string {
+  const text = escaped(about)
+  return `<script type="module" src="${module}"></script>\n<circle-voronoi src="#${link}" ${controls} alt="${text}">${text}</circle-voronoi>`
 }
 
 /** The layout of a frame of fixed size: a question adds text above the figure, the player adds text below. */

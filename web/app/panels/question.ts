@@ -4,11 +4,13 @@ import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { holds, idsOf, numbersIn } from '../../element/check.ts'
+import { ENGLISH_GOALS, goalRings, goalsOf } from '../../element/goals.ts'
 import type { Check } from '../../lib/check-types.ts'
 import type { LinkFrame } from '../../lib/link.ts'
 import { icon } from '../../player/icon.ts'
-import { ADD, BIN, CHAIN, CODE, DOWN } from '../../view/icons.ts'
+import { ADD, BIN, CHAIN, CODE, DOWN, TARGET } from '../../view/icons.ts'
 import type { CellFacts, Facts } from '../../view/protocol.ts'
+import { Rings } from '../../view/rings.ts'
 import { short } from '../../view/short.ts'
 import type { View } from '../../view/view.ts'
 import type { FileActions } from '../files/file-actions.ts'
@@ -25,6 +27,7 @@ import {
   newCondition,
   sentenceOf,
 } from '../question/conditions.ts'
+import { byId } from './by-id.ts'
 import { toastCopied } from './toast.ts'
 
 const COMPARED: Readonly<Record<Comparison, string>> = {
@@ -61,6 +64,11 @@ export class QuestionForm {
   #from: LinkFrame | undefined
   #facts: Facts | undefined
   #isOpen = false
+  /** Whether the form is visible: it is open, and so is its panel. */
+  #isShown = false
+  /** The field that takes the next circle that is clicked. */
+  #picking: { readonly label: string; readonly set: (id: number) => void } | undefined
+  #rings: Rings | undefined
 
   constructor(
     store: Store<State>,
@@ -78,10 +86,27 @@ export class QuestionForm {
     this.#redraw = redraw
     let edited = store.get().edited
     store.subscribe((state) => {
+      if (this.#picking !== undefined && state.selected !== undefined) {
+        const { set } = this.#picking
+        this.#picking = undefined
+        set(state.selected)
+      }
       if (state.edited === edited || !this.#isOpen) return
       edited = state.edited
       this.#measure()
     })
+  }
+
+  /** Rings the circles of the conditions in the picture, as the frame does, while the form is visible. */
+  ring(isPanelOpen: boolean): void {
+    this.#isShown = isPanelOpen && this.#isOpen
+    if (!this.#isShown) this.#picking = undefined
+    const check = this.#isShown ? this.#check : undefined
+    if (check !== undefined) this.#rings ??= new Rings(byId('figure', HTMLElement), this.#view)
+    if (this.#facts === undefined) return
+    this.#rings?.show(
+      check === undefined ? [] : goalRings(check, goalsOf(check, this.#facts), this.#isMet === true, ENGLISH_GOALS),
+    )
   }
 
   /** Loads the question of the last opened link into the form. */
@@ -177,7 +202,7 @@ export class QuestionForm {
         <button type="button" title="Save a SCORM 1.2 file for Moodle, ILIAS and other course systems, which reports who has solved the question" @click=${() => this.#files.saveCourse(this.#frame)}>
           ${icon(DOWN)}SCORM file
         </button>
-        <button type="button" title="Print the question with the picture and a code that opens the frame on a phone" @click=${() => this.#files.printWorksheet(this.#frame)}>
+        <button type="button" title="Print the circles without their cells to draw on, a key, and a code that opens the frame on a phone" @click=${() => this.#print()}>
           Worksheet
         </button>
         <button type="button" title="Open the frame in a new tab" @click=${() => this.#files.openQuestion(this.#frame)}>Try it</button>
@@ -258,7 +283,21 @@ export class QuestionForm {
       if (input.reportValidity()) set(input.valueAsNumber)
       else input.value = String(id)
     }
-    return html`<input type="number" min="0" step="1" required aria-label=${label} .value=${String(id)} @change=${change} autocomplete="off" />`
+    const isPicking = this.#picking?.label === label
+    return html`<input type="number" min="0" step="1" required aria-label=${label} .value=${String(id)} @change=${change} autocomplete="off" />
+      <button type="button" class="pick" aria-pressed=${String(isPicking)} aria-label=${`Choose in the picture: ${label}`}
+        title="Click a circle in the picture to choose it" @click=${() => this.#pick(label, set)}>
+        ${icon(TARGET)}${isPicking ? 'Click a circle' : 'Choose'}
+      </button>`
+  }
+
+  /** Takes the next circle that is selected, or cancels that. */
+  #pick(label: string, set: (id: number) => void): void {
+    const isPicking = this.#picking?.label === label
+    // A click on the selected circle has to select it anew.
+    if (!isPicking) this.#actions.select([])
+    this.#picking = isPicking ? undefined : { label, set }
+    this.#redraw()
   }
 
   #chooseKind(k: number, key: string): void {
@@ -298,8 +337,24 @@ export class QuestionForm {
   }
 
   get #suggestion(): string {
+    return this.#sentence(false)
+  }
+
+  /** A sentence with the numbers that the circles have in the frame. */
+  #sentence(isOnPaper: boolean): string {
     const { conditions, isAny, lang } = this.#draft
-    return sentenceOf(conditions, isAny, lang)
+    const { circles } = this.#editing
+    const numbered = conditions.map((condition) => ({
+      ...condition,
+      circle: circles.countBelow(condition.circle),
+      other: circles.countBelow(condition.other),
+    }))
+    return sentenceOf(numbered, isAny, lang, isOnPaper)
+  }
+
+  #print(): void {
+    const own = this.#draft.question.trim()
+    void this.#files.printWorksheet(this.#frame, own === '' ? this.#sentence(true) : own)
   }
 
   get #frame(): LinkFrame {

@@ -44,7 +44,7 @@ export function mountShare(
     isRecording = false
     draw()
   }
-  const draw = () =>
+  const draw = () => {
     panel.render(
       () => html`
         <p>A link or code shows what you see now, with your edits.</p>
@@ -90,6 +90,8 @@ export function mountShare(
         ${question.body()}
       `,
     )
+    question.ring(panel.isOpen)
+  }
   const question = new QuestionForm(store, editing, view, actions, pageActions, draw)
   const panel = panelOf(byId('share', HTMLElement), 'Share', draw, { isKept: false, onopen: () => question.take() })
   draw()

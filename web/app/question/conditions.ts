@@ -135,13 +135,20 @@ export function newCondition(circle: number): Condition {
   return { kind: 'cell.edges', circle, comparison: 'is', value: 3, most: 5, flag: true, other: 0 }
 }
 
-/** A question that asks for the conditions, which a teacher may put into better words. */
-export function sentenceOf(conditions: readonly Condition[], isAny: boolean, lang: string): string {
+/**
+ * A question that asks for the conditions, which a teacher may put into better words. On paper nothing moves, so readers
+ * draw.
+ */
+export function sentenceOf(conditions: readonly Condition[], isAny: boolean, lang: string, isOnPaper = false): string {
   const isGerman = lang === 'de'
   if (conditions.length === 0) return ''
   const parts = conditions.map(isGerman ? german : english)
   const and = isGerman ? [' und ', ' oder '] : [' and ', ' or ']
   const all = parts.join(isAny ? and[1] : and[0])
+  if (isOnPaper)
+    return isGerman
+      ? `Zeichne die Kreise dann noch einmal, und zwar so, dass ${all}.`
+      : `Then draw the circles again, so that ${all}.`
   return isGerman ? `Bewege die Kreise, bis ${all}.` : `Move the circles until ${all}.`
 }
 
