@@ -21,8 +21,11 @@ test('conditions become the question of a frame, which is solved by moving a cir
   const { page } = app
   await openForm(app)
   const condition = page.getByRole('group', { name: 'Condition 1' })
-  await condition.getByLabel('Circle of condition 1').fill('4')
-  await condition.getByLabel('Circle of condition 1').press('Enter')
+  await condition.getByRole('button', { name: 'Choose the circle' }).click()
+  const { x, y } = app.center(CIRCLES, 4)
+  await page.mouse.click(x, y)
+  await expect(condition.getByLabel('Circle of condition 1')).toHaveValue('4')
+  await expect(page.locator('#figure .rings')).toContainText('44 edges')
   await expect(condition.getByText('now 4')).toBeVisible()
   await expect(page.locator('#question-now')).toContainText('do not meet this yet')
   await expect(page.getByLabel('Question', { exact: true })).toHaveAttribute(
@@ -59,6 +62,9 @@ test('conditions become the question of a frame, which is solved by moving a cir
   const tab = await opening
   await expect(tab).toHaveURL(address)
   await expect(tab.getByRole('status')).toHaveText('Noch nicht gelöst')
+  await expect(tab.locator('#goals')).toHaveText('Kanten jetzt 4, Ziel 3; Kreise jetzt 5, Ziel 5')
+  const ring = tab.locator('circle-voronoi .rings circle')
+  await expect(ring).not.toHaveClass(/closed/)
   const circlesThere = () => tab.evaluate(() => document.querySelector('circle-voronoi')?.circles.length)
   await soon(circlesThere).toBe(CIRCLES.length)
   await tab.evaluate(() => {
@@ -72,6 +78,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
     ]
   })
   await expect(tab.getByRole('status')).toHaveText('Gelöst')
+  await expect(ring).toHaveClass(/closed/)
 })
 
 test('circles keep their names in a question where others are deleted', async ({ app }) => {

@@ -46,7 +46,7 @@ test('a worksheet has circles to draw on, a code and the address of the question
   await soon(() => sheet.evaluate((element: HTMLElement) => element.hidden)).toBe(false)
   await page.emulateMedia({ media: 'print', colorScheme: 'dark' })
   await page.setViewportSize({ width: 794, height: 1123 })
-  await expect(sheet.getByRole('heading', { name: 'Who is nearest?' })).toBeVisible()
+  await expect(sheet.getByRole('heading', { name: 'Who is nearest?', exact: true })).toBeVisible()
   await expect(sheet.locator('section').first().getByRole('listitem')).toHaveText([
     'Draw the border of each cell: the points that are equally far from two circles.',
     'Then draw the circles again, so that the cell of circle 0 has 3 edges.',

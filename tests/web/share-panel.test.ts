@@ -108,7 +108,7 @@ describe('the form for a question', () => {
   })
 
   it('takes a circle by a click, and rings the circles of its conditions as long as it is open', async () => {
-    const choose = 'Choose in the picture: Circle of condition 1'
+    const choose = 'Choose the circle for condition 1 in the picture'
     const rings = () => all(document.body, '.rings > span:not(.gone)').map(textOf)
     expect(rings()).toEqual(['34 edges'])
     await pressed(panel, choose)

@@ -134,6 +134,7 @@ const ATTRIBUTES = [
  * @csspart problem - The error message.
  * @csspart rings - The rings around the circles of the check, with their labels.
  * @csspart ring-number - The number of the circle in a label.
+ * @csspart ring-value - The current value in a label.
  * @cssState met - The circles meet the check.
  * @cssprop {<color>} --circle-voronoi-paper - The background.
  * @cssprop {<color>} --circle-voronoi-edge - Edges and vertices of the diagram.

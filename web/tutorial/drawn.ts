@@ -17,7 +17,7 @@ export interface DrawnSpec {
   readonly region?: RegionShape
 }
 
-/** Distance of one key press, relative to the visible width. */
+/** Distance of one key press, relative to the visible width or to the range of the slider. */
 const STEP = 1 / 80
 /** Milliseconds from one event to the next during playback. */
 const PACE = 1400
@@ -100,7 +100,18 @@ class Drawn {
 
   #makeHandles(page: Document): void {
     const { circles, point } = this.#scene
-    const make = (name: string, move: (to: Point) => void, placeOf: () => Point) => {
+    const { grip } = KINDS[this.#kind]
+    /** `push` moves by a key in a direction. */
+    const make = (
+      name: string,
+      move: (to: Point) => void,
+      placeOf: () => Point,
+      push = (way: readonly [number, number]) => {
+        const step = this.#scene.view[2] * STEP
+        const { x, y } = placeOf()
+        move(this.#within({ x: x + way[0] * step, y: y + way[1] * step }))
+      },
+    ) => {
       const handle = page.createElementNS(SVG, 'circle')
       handle.classList.add('handle')
       handle.setAttribute('tabindex', '0')
@@ -124,9 +135,7 @@ class Drawn {
         const way = KEYS[event.key]
         if (way === undefined) return
         event.preventDefault()
-        const step = this.#scene.view[2] * STEP
-        const { x, y } = placeOf()
-        move(this.#within({ x: x + way[0] * step, y: y + way[1] * step }))
+        push(way)
       })
       this.#handles.append(handle)
     }
@@ -135,6 +144,15 @@ class Drawn {
         `Circle ${i}`,
         ({ x, y }) => this.#change({ circles: this.#scene.circles.map((c, k) => (k === i ? { ...c, x, y } : c)) }),
         () => this.#scene.circles[i] as Circle,
+      )
+    }
+    if (grip !== undefined) {
+      make(
+        'Point on the border',
+        (to) => this.#show(grip.valueAt(this.#scene, to)),
+        () => grip.at(this.#scene, this.#value),
+        // Each arrow key moves the point along its line, in whatever direction that runs.
+        ([x, y]) => this.#show(this.#value + (x + y) * STEP * Number(this.#slider.max)),
       )
     }
     if (point === undefined) return
@@ -224,7 +242,9 @@ class Drawn {
     const { circles, point, view } = this.#scene
     const scale = WIDTH / view[2]
     const least = GRAB * this.#unit
-    const places = [...circles, ...(point === undefined ? [] : [{ ...point, r: 0 }])]
+    const grip = KINDS[this.#kind].grip?.at(this.#scene, this.#value)
+    const points = [grip, point].flatMap((place) => (place === undefined ? [] : [{ ...place, r: 0 }]))
+    const places = [...circles, ...points]
     for (const [k, { x, y, r }] of places.entries()) {
       const handle = this.#handles.children[k] as SVGCircleElement
       handle.setAttribute('cx', `${WIDTH / 2 + (x - view[0]) * scale}`)

@@ -64,7 +64,9 @@ export class Rings {
         const label = page.createElement('span')
         const name = page.createElement('b')
         name.setAttribute('part', 'ring-number')
-        label.append(name, page.createElement('span'))
+        const value = page.createElement('span')
+        value.setAttribute('part', 'ring-value')
+        label.append(name, value)
         drawn = { ring: page.createElementNS(SVG, 'circle'), label }
         // Lengths along the ring do not depend on its size.
         drawn.ring.setAttribute('pathLength', '100')
@@ -72,9 +74,9 @@ export class Rings {
         this.#layer.append(label)
         this.#drawn.set(id, drawn)
       }
-      const [name, value] = drawn.label.children as unknown as [HTMLElement, HTMLElement]
-      name.textContent = number
-      value.textContent = text
+      const [first, second] = drawn.label.children as unknown as [HTMLElement, HTMLElement]
+      first.textContent = number
+      second.textContent = text
       for (const part of [drawn.ring, drawn.label]) part.classList.toggle('closed', isClosed)
     }
     this.#place()

@@ -284,8 +284,9 @@ export class QuestionForm {
       else input.value = String(id)
     }
     const isPicking = this.#picking?.label === label
+    const [what = '', place] = label.split(' of ')
     return html`<input type="number" min="0" step="1" required aria-label=${label} .value=${String(id)} @change=${change} autocomplete="off" />
-      <button type="button" class="pick" aria-pressed=${String(isPicking)} aria-label=${`Choose in the picture: ${label}`}
+      <button type="button" class="pick" aria-pressed=${String(isPicking)} aria-label=${`Choose the ${what.toLowerCase()} for ${place} in the picture`}
         title="Click a circle in the picture to choose it" @click=${() => this.#pick(label, set)}>
         ${icon(TARGET)}${isPicking ? 'Click a circle' : 'Choose'}
       </button>`

@@ -5,6 +5,7 @@ import { finalCells } from './final.ts'
 import { globePlane } from './globe-plane.ts'
 import { globeRadii } from './globe-radii.ts'
 import { growing } from './growing.ts'
+import { hyperbola } from './hyperbola.ts'
 import { marketAreas } from './market.ts'
 import { nearestCircle } from './nearest.ts'
 import { newton } from './newton.ts'
@@ -17,6 +18,7 @@ import { weightPlane } from './weight-plane.ts'
 /** The figures that the tutorial draws itself, by the names that chapters use. */
 export const KINDS: Readonly<Record<KindName, Kind>> = {
   nearest: nearestCircle,
+  hyperbola,
   bezier: bezierArc,
   directed: directedEdges,
   growing,
@@ -32,6 +34,7 @@ export const KINDS: Readonly<Record<KindName, Kind>> = {
 }
 export type KindName =
   | 'nearest'
+  | 'hyperbola'
   | 'bezier'
   | 'directed'
   | 'growing'

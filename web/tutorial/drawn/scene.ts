@@ -36,6 +36,11 @@ export interface Kind {
     regions?: Regions,
   ): { readonly last: number; readonly step: number | 'any' }
   draw(scene: Scene, value: number, library: CircleVoronoi, regions?: Regions): Drawing
+  /** A point that readers can drag too, in place of the slider: its place at a value, and the value nearest to a place. */
+  readonly grip?: {
+    at(scene: Scene, value: number): Point
+    valueAt(scene: Scene, place: Point): number
+  }
 }
 
 export const WIDTH = 640
