@@ -33,7 +33,7 @@ export function blockRenderer(made) {
 ${more === '' ? element(spec) : `<div class="numbered">${element(spec)}</div>`}
 ${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}${legend}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
-${asked(spec, inline)}`
+${rules(spec, inline)}${asked(spec, inline)}`
   }
 
   /** Two pictures: by the corrected rules and by the printed ones. */
@@ -66,7 +66,7 @@ ${asked(spec, inline)}`
 <p class="telling"><output class="told">${escaped(drawing.told)}</output></p>
 <figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
-${asked(spec, inline)}`
+${rules(spec, inline)}${asked(spec, inline)}`
   }
 
   /** The picture of cones that readers can turn. */
@@ -150,6 +150,23 @@ export function paperFigures({ figures }) {
 
 function range(name, { label, changes, from, to, at, step = 'any' }, inline) {
   return `<label class="slider"><span>${inline(label)}</span> <input type="range" data-figure="${name}" data-changes="${changes}" min="${from}" max="${to}" step="${step}" value="${at}"> <output>${at}</output></label>
+`
+}
+
+/**
+ * The rules that the figure above shows. Each names a place of the figure: an event, or a change. With scripts, readers see
+ * one rule at a time.
+ */
+function rules({ name, rulesShown, show }, inline) {
+  if (rulesShown === undefined) return ''
+  const items = rulesShown.map(
+    ({ at, text }) => `<li${at === undefined ? '' : ` data-at="${at}"`}>${inline(text)}</li>`,
+  )
+  return `<div class="rules" data-figure="${name}" data-show="${show}">
+<ol>
+${items.join('\n')}
+</ol>
+</div>
 `
 }
 

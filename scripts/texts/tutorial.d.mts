@@ -12,6 +12,8 @@ export interface Spec {
   readonly check?: unknown
   /** The rules that a figure of the kind `printed` applies as printed. */
   readonly rules: readonly ('side' | 'third' | 'crossing' | 'inside')[]
+  /** The rules that are shown one at a time below the figure, each with the place of the figure where it applies. */
+  readonly rulesShown?: readonly { readonly at?: number; readonly text: string }[]
   /** The drawing of a figure of the kind `drawn` (web/tutorial/drawn). */
   readonly kind?: string
   readonly point?: readonly [number, number]

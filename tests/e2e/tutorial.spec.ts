@@ -131,6 +131,7 @@ async function answer(page: Page): Promise<void> {
 /** Solves an exercise by dragging, and reverts the solution. */
 async function reach(page: Page): Promise<void> {
   for (const section of await page.locator('.try').all()) {
+    await expect(section.locator('.now')).toHaveText(/ now .*, goal /)
     const output = section.locator('figcaption output')
     await expect(output).toHaveText('')
     await section.getByText('Answer', { exact: true }).click()
@@ -159,13 +160,13 @@ async function slide(page: Page): Promise<void> {
 }
 
 /** Tests the tutorial's own figures: each handle by mouse and keys, the slider, and the caption. */
-async function tryDrawn(page: Page, { name, point }: Spec): Promise<void> {
+async function tryDrawn(page: Page, { name }: Spec): Promise<void> {
   const figure = page.locator(`#${name}`)
   await figure.scrollIntoViewIfNeeded()
   const handles = figure.locator('.handle')
   const content = () => figure.locator('svg.drawn > g').first().innerHTML()
   await expect(handles.first()).toBeVisible()
-  for (const handle of [handles.first(), ...(point === undefined ? [] : [handles.last()])]) {
+  for (const handle of [handles.first(), handles.last()]) {
     const atFirst = await content()
     const { x, y, width, height } = (await handle.boundingBox()) as NonNullable<
       Awaited<ReturnType<Locator['boundingBox']>>

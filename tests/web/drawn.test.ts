@@ -4,6 +4,7 @@
 import { describe, expect, it, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
+import type { Circle, Point } from '../../web/lib/index.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { loadSphere } from '../../web/lib/sphere.ts'
 import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
@@ -40,6 +41,47 @@ function drawnScene(name: string): Scene {
 
 const drawn = SPECS.filter(({ block }) => block === 'drawn').map(({ name, kind }) => [name, kind as KindName] as const)
 
+describe('a point on a border', () => {
+  const { grip } = KINDS.hyperbola
+  const scene = drawnScene('why-hyperbola')
+  const [a, b] = scene.circles as readonly [Circle, Circle]
+
+  it.each([0, 0.2, 0.5, 0.93, 1])(
+    'is equally far from both circles at %d, also when it is dragged beside the border',
+    (value) => {
+      const place = grip?.at(scene, value) as Point
+      expect(distance(a, place)).toBeCloseTo(distance(b, place), 9)
+      expect(grip?.valueAt(scene, place)).toBeCloseTo(value, 3)
+      // It snaps to the nearest place of the border.
+      const beside = { x: place.x + 0.4, y: place.y + 0.3 }
+      const nearest = grip?.at(scene, grip.valueAt(scene, beside)) as Point
+      const away = ({ x, y }: Point) => Math.hypot(x - beside.x, y - beside.y)
+      for (let k = 0; k <= 500; k++) expect(away(nearest)).toBeLessThan(away(grip?.at(scene, k / 500) as Point) + 1e-3)
+    },
+  )
+
+  it('has distances to the centers that differ by the difference of the radii', () => {
+    for (const value of [0, 0.4, 0.8]) {
+      const { told } = KINDS.hyperbola.draw(scene, value, library)
+      const [, to = '', from = '', far = ''] = /(\d+\.\d) − (\d+\.\d) = (\d) = rₐ − r_b = 3 − 1 = 2\.$/.exec(told) ?? []
+      expect(Number(to) - Number(from)).toBeCloseTo(Number(far), 9)
+    }
+  })
+
+  it('is nowhere if one circle contains the other', () => {
+    const { told, content } = KINDS.hyperbola.draw({ ...scene, circles: [a, { ...a, r: 1 }] }, 0.5, library)
+    expect(told).toMatch(/^One circle lies inside the other/)
+    expect(content).not.toContain('ghost')
+  })
+})
+
+test('each rule of the judge that can be broken names the change that it notices', () => {
+  for (const { at, text } of specOf('corrupt').rulesShown ?? []) {
+    const [, rule] = /^\*\*(.+?)\.\*\*/.exec(text) ?? []
+    if (at !== undefined) expect(CORRUPTIONS[at]?.about).toMatch(new RegExp(`^${rule}: `))
+  }
+})
+
 test.each(drawn)('%s is drawn at each place of its slider, with words', (name, kind) => {
   const scene = drawnScene(name)
   const { last } = KINDS[kind].range(scene, library, regions)
@@ -68,6 +110,11 @@ describe('the growing phase', () => {
     ).toBeGreaterThan(0)
     expect(told.filter((text) => /touches circle \d where another border/.test(text)).length).toBeGreaterThan(0)
     expect(told.filter((text) => /3 borders end there/.test(text)).length).toBeGreaterThan(0)
+  })
+
+  it('has an event for each of the rules in chapter 3, in their order', () => {
+    const rules = specOf('growing-discs').rulesShown ?? []
+    expect(rules.map(({ at }) => moments[at as number]?.what)).toEqual(['begin', 'notEmpty', 'used', 'vertex', 'stale'])
   })
 
   it('takes the discs in the order of their radii', () => {

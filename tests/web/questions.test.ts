@@ -13,6 +13,10 @@ it('an answer is right or wrong until another one is chosen', () => {
   form.dataset.right = 'b'
   document.body.replaceChildren(form)
   askQuestions(document)
+  let solved = 0
+  document.body.addEventListener('solved', () => {
+    solved += 1
+  })
   const submit = () => {
     send(form, 'submit')
     return [output.value, form.dataset.answered, answer.open]
@@ -26,6 +30,8 @@ it('an answer is right or wrong until another one is chosen', () => {
   choose('a')
   expect(submit()).toEqual([expect.stringMatching(/^Not quite\./), 'wrong', false])
   choose('b')
+  expect(solved).toBe(0)
   expect(submit()).toEqual(['Right.', 'right', true])
+  expect(solved).toBe(1)
   choose('a')
 })

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of the tutorial and the record of read chapters.
+// The figures of the tutorial and the record of solved chapters.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { sayCounts } from '../../web/tutorial/counts.ts'
 import { bringToLife } from '../../web/tutorial/drawn.ts'
 import { numberCircles } from '../../web/tutorial/numbers.ts'
-import { markRead } from '../../web/tutorial/progress.ts'
+import { markSolved } from '../../web/tutorial/progress.ts'
+import { stepRules } from '../../web/tutorial/rules.ts'
+import { followTrials } from '../../web/tutorial/trials.ts'
 import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
-import { make, openPage, send } from './page-document.ts'
+import { control, make, openPage, send } from './page-document.ts'
 import { aTurn, eventually } from './turns.ts'
 import { fetchHere } from './whole-page.ts'
 
@@ -59,59 +61,111 @@ const element = () => new Figure()
 
 const sliderOf = (value: number, max = 10, min = 0) => make('input', { type: 'range', min, max, step: 'any', value })
 
-describe('read chapters', () => {
+describe('solved chapters', () => {
   const KEY = 'circle-voronoi tutorial'
-  let see: (isIntersecting: boolean) => void
-  beforeEach(() => {
-    localStorage.clear()
-    see = () => {}
-    vi.stubGlobal(
-      'IntersectionObserver',
-      class {
-        constructor(tell: (entries: unknown[], observer: unknown) => void) {
-          see = (isIntersecting) => tell([{ isIntersecting }], this)
-        }
-        observe() {}
-        disconnect() {
-          see = () => {}
-        }
-      },
-    )
-  })
-  /** The read ones of three chapters, of which the second is this one. */
-  const read = () => {
+  beforeEach(() => localStorage.clear())
+  /** Opens the second of three chapters, which has a question and an exercise. Returns the marked chapters. */
+  const open = () => {
     const links = ['1.html', '2.html', '3.html'].map((file) => make('a', { href: file }))
     links[1]?.setAttribute('aria-current', 'page')
-    const pages = make('nav', { className: 'pages' }, make('ol', {}, ...links))
-    document.body.replaceChildren(pages, make('nav', { className: 'turn' }))
-    markRead(document)
-    return links.flatMap((link, k) =>
-      link.classList.contains('read') && link.textContent === ' (read)' ? [k + 1] : [],
-    )
+    const tasks = [make('form', { className: 'question' }), make('div', { className: 'try' })]
+    document.body.replaceChildren(make('nav', { className: 'pages' }, make('ol', {}, ...links)), ...tasks)
+    markSolved(document)
+    const marked = () =>
+      links.flatMap((link, k) => (link.classList.contains('solved') && link.textContent === ' (solved)' ? [k + 1] : []))
+    return { tasks, marked }
   }
+  const solve = (task: Element | undefined) => task?.dispatchEvent(new Event('solved', { bubbles: true }))
 
-  it('are those whose end was seen, and are marked with a word', () => {
-    localStorage.setItem(KEY, '["1.html", 7]')
-    expect(read()).toEqual([1])
-    see(false)
-    expect(localStorage.getItem(KEY)).toBe('["1.html", 7]')
-    see(true)
-    expect([localStorage.getItem(KEY), read()]).toEqual(['["1.html","2.html"]', [1, 2]])
+  it('are those with all tasks solved, and are marked with a word', () => {
+    localStorage.setItem(KEY, '{"1.html": {"solved": [0, 1], "tasks": 2}, "3.html": {"solved": [1], "tasks": 2}}')
+    const first = open()
+    expect(first.marked()).toEqual([1])
+    solve(first.tasks[1])
+    solve(first.tasks[1])
+    expect(first.marked()).toEqual([1])
+    // The other task is solved on another day.
+    const second = open()
+    expect(second.marked()).toEqual([1])
+    solve(second.tasks[0])
+    expect(second.marked()).toEqual([1, 2])
+    expect(open().marked()).toEqual([1, 2])
   })
 
-  it.each(['{}', '7', '{', 'null'])('are none where something else was kept: %s', (text) => {
-    localStorage.setItem(KEY, text)
-    expect(read()).toEqual([])
-  })
+  it.each(['["1.html", "2.html"]', '7', '{', 'null', '{"1.html": 3, "2.html": {"solved": 2, "tasks": 2}}'])(
+    'are none where something else was kept: %s',
+    (text) => {
+      localStorage.setItem(KEY, text)
+      expect(open().marked()).toEqual([])
+    },
+  )
 
-  it('are none where nothing can be kept', () => {
+  it('are only the open one where nothing can be kept', () => {
     const forbidden = () => {
       throw new Error('forbidden')
     }
     vi.stubGlobal('localStorage', { getItem: forbidden, setItem: forbidden })
-    expect(read()).toEqual([])
-    expect(() => see(true)).not.toThrow()
+    const { tasks, marked } = open()
+    for (const task of tasks) solve(task)
+    expect(marked()).toEqual([2])
   })
+
+  it('count an exercise that the reader solves, not one whose answer is shown', () => {
+    const figure = element()
+    const show = make('button', { className: 'show' })
+    show.dataset.circles = '[[0, 0, 1]]'
+    const reset = make('button', { className: 'reset' })
+    figure.setAttribute('circles', '[[0, 0, 2]]')
+    figure.scrollIntoView = () => {}
+    const caption = make('figcaption', {}, make('output'))
+    const section = make('div', { className: 'try' }, figure, make('p', { className: 'now' }), show, reset, caption)
+    document.body.replaceChildren(section)
+    followTrials(document)
+    let solved = 0
+    section.addEventListener('solved', () => {
+      solved += 1
+    })
+    const meet = () => send(figure, 'checkchange', { detail: { isMet: true } })
+    send(figure, 'goalschange', { detail: { text: 'Edges now 7, goal 3' } })
+    expect(section.querySelector('.now')?.textContent).toBe('Edges now 7, goal 3')
+    show.click()
+    meet()
+    expect(solved).toBe(0)
+    reset.click()
+    meet()
+    expect(solved).toBe(1)
+  })
+})
+
+it('rules are shown one at a time, and move the figure above to where they apply', () => {
+  const slider = sliderOf(0)
+  const figure = make('figure', { id: 'grown' }, slider)
+  const items = [3, undefined, 7].map((at) => {
+    const item = make('li')
+    if (at !== undefined) item.dataset.at = `${at}`
+    return item
+  })
+  const group = make('div', { className: 'rules' }, make('ol', {}, ...items))
+  Object.assign(group.dataset, { figure: 'grown', show: 'Show an event' })
+  document.body.replaceChildren(figure, group)
+  const moved: number[] = []
+  slider.addEventListener('input', () => moved.push(slider.valueAsNumber))
+  stepRules(document)
+  const button = (name: string) => control(group, name)
+  const shown = () => items.map((item) => item.classList.contains('current'))
+  expect([shown(), moved]).toEqual([[true, false, false], []])
+  button('Show an event').click()
+  expect(moved).toEqual([3])
+  button('Next rule').click()
+  expect([shown(), moved, button('Show an event').disabled]).toEqual([[false, true, false], [3], true])
+  button('Next rule').click()
+  expect([moved, button('Next rule').disabled]).toEqual([[3, 7], true])
+  button('Previous rule').click()
+  expect(group.querySelector('output')?.value).toBe('Rule 2 of 3')
+  button('All rules').click()
+  expect([group.className, button('Next rule').disabled]).toEqual(['rules', true])
+  button('All rules').click()
+  expect(group.className).toBe('rules stepped')
 })
 
 it('counts of samples follow the circles and the slider', async () => {

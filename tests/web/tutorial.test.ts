@@ -2,6 +2,7 @@
 // Statements of the tutorial that can be checked without a browser.
 import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
+import { renderMarkdown } from '../../scripts/texts/markdown.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
 import { ENGLISH_GOALS, goalSentence, goalsOf } from '../../web/element/goals.ts'
@@ -59,6 +60,15 @@ test('every figure comes with a question, a hint and an answer', () => {
     }),
   )
   expect(unasked.map(({ spec }) => spec.name)).toEqual([])
+})
+
+test('every term of the glossary is an entry', () => {
+  const glossary = BOOK.find(({ file }) => file === 'glossary.html')?.markdown ?? ''
+  const { html } = renderMarkdown(glossary)
+  const terms = [...html.matchAll(/<dt>(.*?)<\/dt>/g)].map(([, term]) => term)
+  expect(terms).toContain('hidden circle')
+  // No paragraph but the introduction is left over.
+  expect(html.match(/<p>/g)).toHaveLength(1)
 })
 
 test('figures draw what there is to be drawn', () => {

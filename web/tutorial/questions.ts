@@ -15,7 +15,9 @@ export function askQuestions(page: ParentNode): void {
       output.value = chosen === null ? NOTHING : isRight ? RIGHT : WRONG
       form.dataset.answered = chosen === null ? '' : isRight ? 'right' : 'wrong'
       const answer = form.querySelector<HTMLDetailsElement>('details.answer')
-      if (isRight && answer !== null) answer.open = true
+      if (!isRight) return
+      if (answer !== null) answer.open = true
+      form.dispatchEvent(new Event('solved', { bubbles: true }))
     })
     form.addEventListener('change', () => {
       output.value = ''

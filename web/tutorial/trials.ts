@@ -10,7 +10,10 @@ export function followTrials(page: ParentNode): void {
     figure.addEventListener('goalschange', ({ detail: { text } }) => {
       now.textContent = text
     })
+    // The reader has not solved what the page has shown.
+    let isShown = false
     figure.addEventListener('checkchange', ({ detail: { isMet } }) => {
+      if (isMet && !isShown) section.dispatchEvent(new Event('solved', { bubbles: true }))
       section.classList.toggle('done', isMet)
       output.value = isMet ? (output.dataset.done as string) : ''
     })
@@ -19,9 +22,11 @@ export function followTrials(page: ParentNode): void {
       surface()?.dispatchEvent(new KeyboardEvent('keydown', { key: 'z', ctrlKey: true, bubbles: true }))
     section.querySelector('button.undo')?.addEventListener('click', undo)
     section.querySelector('button.reset')?.addEventListener('click', () => {
+      isShown = false
       figure.circles = JSON.parse(figure.getAttribute('circles') as string)
     })
     section.querySelector<HTMLButtonElement>('button.show')?.addEventListener('click', ({ currentTarget }) => {
+      isShown = true
       figure.circles = JSON.parse((currentTarget as HTMLElement).dataset.circles as string)
       figure.scrollIntoView({ block: 'nearest' })
     })

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Starts the interactive parts of a chapter: figures, questions, search, and the record of read chapters.
+// Starts the interactive parts of a chapter: figures, questions, search, and the record of solved chapters.
 import { workOffline } from '../app/offline.ts'
 import '../element/index.ts'
 import { offerSearch } from '../reading/search.ts'
 import { linkFigures } from './figure-links.ts'
-import { markRead } from './progress.ts'
+import { markSolved } from './progress.ts'
 import { askQuestions } from './questions.ts'
+import { stepRules } from './rules.ts'
 import { slideFigures } from './sliders.ts'
 import { followTrials } from './trials.ts'
 
 askQuestions(document)
 followTrials(document)
+stepRules(document)
 slideFigures(document)
 linkFigures(document)
-markRead(document)
+markSolved(document)
 offerSearch(document)
 if (document.querySelector('[data-corrupt]') !== null) {
   const { letCorrupt } = await import('./corrupt.ts')

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A point and its distance to each circle. The slider colors more and more points of the plane by their nearest circle.
+import type { Circle, Point } from '../../lib/index.ts'
 import {
   colorsOf,
   coordinatesOf,
@@ -14,6 +15,8 @@ import {
 } from './scene.ts'
 
 const MOST_POINTS = 600
+/** Distance of a label from the point, in pixels. */
+const CLEAR = 30
 
 export const nearestCircle: Kind = {
   range: () => ({ last: MOST_POINTS, step: 'any' }),
@@ -38,13 +41,22 @@ export const nearestCircle: Kind = {
     for (const [i, circle] of circles.entries()) {
       const foot = footOf(circle, point)
       pen.line(i === first ? `way best c${colors[i]}` : 'way', point, foot)
-      const middle = { x: (point.x + foot.x) / 2, y: (point.y + foot.y) / 2 }
-      pen.write(i === first ? 'label best' : 'label', middle, distances[i] as string)
+      pen.write(i === first ? 'label best' : 'label', labelPlace(pen, point, circle, foot), distances[i] as string)
     }
     pen.dot(`point c${colors[first]}`, point, 7)
     const others = circles.map((_, i) => `${distances[i]} to circle ${i}`).join(', ')
     return { content: pen.content, told: `The distances are ${others}. Circle ${first} is nearest.` }
   },
+}
+
+/** The middle of a way, or beyond its rim if the way is so short that a label would hide the point. */
+function labelPlace(pen: Pen, point: Point, circle: Circle, foot: Point): Point {
+  const middle = { x: (point.x + foot.x) / 2, y: (point.y + foot.y) / 2 }
+  if (Math.hypot(middle.x - point.x, middle.y - point.y) >= pen.units(CLEAR)) return middle
+  const [dx, dy] = [circle.x - point.x, circle.y - point.y]
+  const length = Math.hypot(dx, dy) || 1
+  const away = pen.units(CLEAR)
+  return { x: point.x + (dx / length) * away, y: point.y + (dy / length) * away - pen.units(5) }
 }
 
 /** Point k of the van der Corput sequence. Every prefix of the sequence is evenly spread. */

@@ -110,12 +110,18 @@ function plot(pen: Pen, steps: readonly Step[], now: number): void {
   }
   for (const [k, { error }] of steps.entries()) {
     const top = y(error)
+    // Steps have their numbers below, as long as these do not touch.
+    if (width > 16 || k % 5 === 0)
+      pen.raw(
+        `<text class="label" x="${(PLOT.left + (k + 0.5) * width).toFixed(1)}" y="${PLOT.bottom + 20}" text-anchor="middle">${k}</text>`,
+      )
     pen.raw(
       `<rect class="${k === now ? 'bar now' : 'bar'}" x="${(PLOT.left + k * width + 0.15 * width).toFixed(1)}" y="${top.toFixed(1)}" width="${(0.7 * width).toFixed(1)}" height="${Math.max(PLOT.bottom - top, 2).toFixed(1)}"/>`,
     )
   }
   pen.raw(`<text class="label" x="8" y="${HEIGHT + 20}">largest error</text>`)
-  pen.raw(`<text class="label" x="${PLOT.right}" y="${PLOT.bottom + 22}" text-anchor="end">step</text>`)
+  pen.raw(`<path class="axis" d="M${PLOT.left},${PLOT.bottom}H${PLOT.right}"/>`)
+  pen.raw(`<text class="label" x="${PLOT.left - 8}" y="${PLOT.bottom + 20}" text-anchor="end">step</text>`)
 }
 
 function errorSaid(error: number): string {
