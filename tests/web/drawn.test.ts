@@ -63,7 +63,8 @@ describe('a point on a border', () => {
   it('has distances to the centers that differ by the difference of the radii', () => {
     for (const value of [0, 0.4, 0.8]) {
       const { told } = KINDS.hyperbola.draw(scene, value, library)
-      const [, to = '', from = '', far = ''] = /(\d+\.\d) − (\d+\.\d) = (\d) = rₐ − r_b = 3 − 1 = 2\.$/.exec(told) ?? []
+      const [, to = '', from = '', far = ''] =
+        /(\d+\.\d) − (\d+\.\d) = (\d) = radius of a − radius of b = 3 − 1\.$/.exec(told) ?? []
       expect(Number(to) - Number(from)).toBeCloseTo(Number(far), 9)
     }
   })

@@ -47,7 +47,7 @@ export interface Worksheet {
   readonly circles: Float64Array
   /** The circles of the check, by their indices, with their values. */
   readonly marks: readonly { readonly index: number; readonly text: string }[]
-  /** Where the question is answered. */
+  /** The address where the question is answered. */
   readonly address: string
 }
 

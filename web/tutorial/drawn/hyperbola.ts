@@ -54,12 +54,11 @@ export const hyperbola: Kind = {
       pen.write('label best', aside(pen, circle, point, k), fixed(lengths[k] as number))
       pen.write('number', { x: circle.x, y: circle.y - pen.units(24) }, 'ab'[k] as string)
     }
-    pen.dot('point', point, 7)
-    const [far, near] = [a.r - b.r, lengths[0] - lengths[1]]
-    const difference = `${fixed(lengths[0])} − ${fixed(lengths[1])} = ${short(near)}`
+    pen.dot('point front', point, 7)
+    const difference = `${fixed(lengths[0])} − ${fixed(lengths[1])} = ${short(lengths[0] - lengths[1])}`
     return {
       content: pen.content,
-      told: `To the center a it is ${fixed(lengths[0])}, and to the center b ${fixed(lengths[1])}. ${difference} = rₐ − r_b = ${short(a.r)} − ${short(b.r)} = ${short(far)}.`,
+      told: `To the center a it is ${fixed(lengths[0])}, and to the center b ${fixed(lengths[1])}. ${difference} = radius of a − radius of b = ${short(a.r)} − ${short(b.r)}.`,
     }
   },
 }
