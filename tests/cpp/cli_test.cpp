@@ -254,7 +254,7 @@ TEST_F(Cli, ListsTheFamilies) {
 TEST_F(Cli, BadUsageIsSaidInOneLine) {
   expectFailure(
       run(""), 2,
-      "A command is missing; the commands are certify, compute, convert, edit, find, fit, generate and tile.");
+      "A command is missing; the commands are certify, compute, convert, edit, find, fit, generate, tile and treemap.");
   expectFailure(run("picture"), 2, "The npm package has the command picture: npx circle-voronoi picture ...");
   EXPECT_NE(run("--help").out.find("the command picture draws"), std::string::npos);
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are certify, ");
