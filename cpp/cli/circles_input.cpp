@@ -12,8 +12,10 @@
 namespace circle_voronoi::cli {
 namespace {
 
+const auto kMetricChoices = choices<Metric>();
 const std::string kWeights = flagOf(&Options::weights);
-constexpr std::array<const char*, 6> kColumnOptions = {"--x", "--y", "--radius", "--points", "--id", "--skip-invalid"};
+constexpr std::array<const char*, 7> kColumnOptions = {"--x",  "--y", "--radius", "--points", "--id", "--skip-invalid",
+                                                       "--crs"};
 
 bool isGiven(const CLI::App& command, const std::string& option) {
   return command.get_option_no_throw(option) != nullptr && command.count(option) > 0;
@@ -49,6 +51,25 @@ void addCirclesInput(CLI::App& command, CirclesInput& input, const std::string& 
   }
 }
 
+void addCrsOption(CLI::App& command, CirclesInput& input) {
+  command
+      .add_option("--crs", input.options.crs,
+                  "The coordinate reference system of the centers, such as EPSG:25832, which GeoJSON names; by default "
+                  "as the input says")
+      ->type_name("NAME");
+}
+
+void addMetricOption(CLI::App& command, std::string& metric) {
+  command
+      .add_option("--metric", metric,
+                  "The distance from a circle: circles |p - c| - r, centers |p - c|, or power |p - c|^2 - r^2")
+      ->type_name("METRIC")
+      ->check(CLI::IsMember(&kMetricChoices))
+      ->capture_default_str();
+}
+
+Metric metricNamed(const std::string& name) { return kMetricChoices.at(name); }
+
 void settleInput(const CLI::App& command, CirclesInput& input) {
   ReadOptions& options = input.options;
   options.weights = isGiven(command, kWeights);
@@ -60,6 +81,12 @@ void settleInput(const CLI::App& command, CirclesInput& input) {
     if (hasRadius && !word.empty()) throw CommandError{kBadInput, kWeights + " " + word + " takes no --radius."};
     if (isGiven(command, "--points")) throw CommandError{kBadInput, kWeights + " takes no --points."};
     options.radius = hasRadius ? command.get_option("--radius")->as<std::string>() : word;
+  }
+  if (isGiven(command, "--crs")) {
+    for (const char* option : {"--project", "--sphere"}) {
+      if (!isGiven(command, option)) continue;
+      throw CommandError{kBadInput, std::string(option) + " takes no --crs: centers are longitude and latitude."};
+    }
   }
   if (input.file.empty()) throw CommandError{kBadInput, "FILE is required"};
 }

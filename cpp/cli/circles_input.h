@@ -27,6 +27,14 @@ enum class Skipping { possible, impossible };
 void addCirclesInput(CLI::App& command, CirclesInput& input, const std::string& description,
                      Skipping skipping = Skipping::possible, Radii radii = Radii::needed);
 
+/// Adds `--crs` to a command.
+void addCrsOption(CLI::App& command, CirclesInput& input);
+
+/// Adds `--metric` to a command.
+void addMetricOption(CLI::App& command, std::string& metric);
+/// Returns the metric of a name that `addMetricOption` accepts.
+Metric metricNamed(const std::string& name);
+
 /// Chooses the file and the column of the weights: the word after --weights is the file if there is no other. Throws
 /// CommandError if there is no file, or if options contradict each other.
 void settleInput(const CLI::App& command, CirclesInput& input);

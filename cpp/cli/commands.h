@@ -11,6 +11,7 @@ void addCertifyCommand(CLI::App& program);
 void addComputeCommand(CLI::App& program);
 void addConvertCommand(CLI::App& program);
 void addEditCommand(CLI::App& program);
+void addFindCommand(CLI::App& program);
 void addFitCommand(CLI::App& program);
 void addGenerateCommand(CLI::App& program);
 void addTileCommand(CLI::App& program);

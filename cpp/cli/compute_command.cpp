@@ -25,7 +25,6 @@
 namespace circle_voronoi::cli {
 namespace {
 
-const auto kMetricChoices = choices<Metric>();
 const auto kMethodChoices = choices<Method>();
 const auto kCandidatesChoices = choices<Candidates>();
 
@@ -65,7 +64,7 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
          needed(&Options::candidates, Candidates::dynamic) + " or " + std::string(nameOf(Candidates::uniform)));
   refuse(resample, candidates == Candidates::dynamic, needed(&Options::candidates, Candidates::dynamic));
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
-  const Metric metric = kMetricChoices.at(arguments.metric);
+  const Metric metric = metricNamed(arguments.metric);
   const std::string circles = "--metric " + std::string(nameOf(Metric::circles));
   for (const std::string& option :
        {flagOf(&Options::method), std::string("--trace"), std::string("--known"), std::string("--sphere")}) {
@@ -87,6 +86,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   refuseUnused(command, arguments);
   arguments.output.isOnSphere = arguments.sphere.isAsked;
   settle(arguments.output);
+  checkCrs(command, arguments.output);
   check(arguments.sphere, command, arguments.output);
   check(arguments.tile, arguments.output);
   if (!arguments.lattice.empty()) checkPeriodicOutput(arguments.output);
@@ -111,7 +111,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
 
   Options options;
   options.weights = arguments.input.weights();
-  options.metric = kMetricChoices.at(arguments.metric);
+  options.metric = metricNamed(arguments.metric);
   options.method = kMethodChoices.at(arguments.method);
   options.candidates = kCandidatesChoices.at(arguments.candidates);
   options.samples = arguments.samples;
@@ -154,15 +154,11 @@ void addComputeCommand(CLI::App& program) {
   addCirclesInput(
       *command, arguments->input,
       "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property r; - is standard input");
+  addCrsOption(*command, arguments->input);
   addProjectOption(*command, arguments->projection);
   addSphereOptions(*command, arguments->sphere);
   addOutputOptions(*command, arguments->output);
-  command
-      ->add_option("--metric", arguments->metric,
-                   "The distance from a circle: circles |p - c| - r, centers |p - c|, or power |p - c|^2 - r^2")
-      ->type_name("METRIC")
-      ->check(CLI::IsMember(&kMetricChoices))
-      ->capture_default_str();
+  addMetricOption(*command, arguments->metric);
   command->add_option(flagOf(&Options::method), arguments->method, "How to build the diagram")
       ->type_name("METHOD")
       ->check(CLI::IsMember(&kMethodChoices))
@@ -198,6 +194,7 @@ void addComputeCommand(CLI::App& program) {
       "Formats:\n"
       "  json      the diagram: circles, hidden circles, vertices, edges, hull and stats\n"
       "  csv       its vertices and edges; with --lattice the neighbors of each circle, with borders and gaps\n"
+      "  cells     a table (CSV) of the cells: circle, x, y, r, area, perimeter, neighbors, and all other columns\n"
       "  svg       a drawing with true curves, a group for each layer\n"
       "  geojson   the cells as polygons, with circle, r, area and neighbors\n"
       "  geojsonl  the same features, one per line\n"

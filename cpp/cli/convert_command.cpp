@@ -56,6 +56,7 @@ void convertDiagram(const CLI::App& command, ConvertArguments& arguments, const 
 void runConvert(const CLI::App& command, ConvertArguments& arguments) {
   settleInput(command, arguments.input);
   settle(arguments.output);
+  checkCrs(command, arguments.output);
   refuseSharedFiles({arguments.input.file, arguments.output.regionFile}, {{"--output", arguments.output.file}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
@@ -72,6 +73,7 @@ void addConvertCommand(CLI::App& program) {
       program.add_subcommand("convert", "Write circles, or a diagram that was computed, in another format");
   addCirclesInput(*command, arguments->input,
                   "Circles as compute reads them, or a diagram as JSON; - is standard input");
+  addCrsOption(*command, arguments->input);
   addOutputOptions(*command, arguments->output);
   command->add_flag("--circles", arguments->circlesAlone, "Of a diagram, write the circles alone");
   addProgressOption(*command, arguments->progress);

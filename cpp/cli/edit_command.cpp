@@ -79,6 +79,7 @@ void makeEdits(DiagramEditor& editor, const EditArguments& arguments, std::ostre
 void runEdit(const CLI::App& command, EditArguments& arguments) {
   settleInput(command, arguments.input);
   settle(arguments.output);
+  checkCrs(command, arguments.output);
   if (arguments.input.file == kStandardStream && arguments.script == kStandardStream) {
     throw CommandError{kBadInput, "The circles and the script cannot both be standard input."};
   }
@@ -128,6 +129,7 @@ void addEditCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("edit", "Insert, remove and replace circles of a diagram");
   addCirclesInput(*command, arguments->input,
                   "Circles as compute reads them, or a diagram as JSON; - is standard input");
+  addCrsOption(*command, arguments->input);
   command
       ->add_option("--script", arguments->script,
                    "The edits, one per line: insert,x,y,r or remove,id or replace,id,x,y,r; - is standard input")

@@ -86,7 +86,7 @@ class LineReader {
 }  // namespace
 
 std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name) {
-  if (isUtf16(text)) throw CommandError{kBadInput, name + ":1: the text is UTF-16; it has to be UTF-8."};
+  if (isUtf16(text)) throw CommandError{kBadInput, name + ":1: the text is UTF-16; save it as UTF-8."};
   text = withoutByteOrderMark(text);
   std::vector<ScriptEdit> edits;
   for (int line = 1; !text.empty(); ++line) {

@@ -24,6 +24,9 @@
 namespace circle_voronoi::cli {
 namespace {
 
+/// The areas that are all the same.
+constexpr const char* kEqual = "equal";
+
 struct FitArguments {
   CirclesInput input;
   std::string projection;
@@ -64,13 +67,16 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
                                                             : "--lattice takes no --region: cells are written whole."};
   }
   settle(arguments.output);
+  checkCrs(command, arguments.output);
   if (!arguments.lattice.empty()) checkPeriodicOutput(arguments.output);
   refuseSharedFiles({arguments.input.file, arguments.output.regionFile}, {{"--output", arguments.output.file}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
   const std::string name = inputName(arguments.input.file);
   CircleFile file = readInput(arguments.input, readText(arguments.input.file));
-  const auto areas = numbersIn(file.attributes, arguments.areas);
+  const bool areEqual = arguments.areas == kEqual;
+  const auto areas =
+      areEqual ? std::vector<double>(file.circles.size(), 1.0) : numbersIn(file.attributes, arguments.areas);
   if (!areas) throw CommandError{kBadInput, name + ": " + areas.error().message};
   if (arguments.projection.empty()) noteDegrees(file, progress);
   arguments.output.attributes = std::move(file.attributes);
@@ -78,7 +84,7 @@ void runFit(const CLI::App& command, FitArguments& arguments) {
 
   AreaFitOptions options;
   options.metric = kWeightedMetrics.at(arguments.metric);
-  options.shares = arguments.shares;
+  options.shares = arguments.shares || areEqual;
   options.tolerance = arguments.areaTolerance;
   options.maxSteps = arguments.maxSteps;
   options.relax = arguments.relax;
@@ -112,7 +118,10 @@ void addFitCommand(CLI::App& program) {
   addCirclesInput(*command, arguments->input,
                   "Sites, as the circles that compute reads; r is the weight to start from, 0 if there is none",
                   Skipping::possible, Radii::optional);
-  command->add_option("--areas", arguments->areas, "The column or property that has the area of each cell")
+  addCrsOption(*command, arguments->input);
+  command
+      ->add_option("--areas", arguments->areas,
+                   "The column or property that has the area of each cell; equal divides the region into equal parts")
       ->type_name("COLUMN")
       ->required();
   command

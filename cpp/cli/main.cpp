@@ -59,6 +59,7 @@ int main(int argumentCount, char** arguments) {
     addComputeCommand(program);
     addConvertCommand(program);
     addEditCommand(program);
+    addFindCommand(program);
     addFitCommand(program);
     addGenerateCommand(program);
     addTileCommand(program);

@@ -25,15 +25,13 @@ namespace {
 constexpr const char* kDefaultFormat = "json";
 /// The ratio of scales on a map from which on cells may be visibly wrong.
 constexpr double kWorthAWarning = 1.02;
-const std::vector<std::string> kFormats = {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj", "stats"};
+const std::vector<std::string> kFormats = {"json", "csv", "cells", "svg", "geojson", "geojsonl", "wkt", "obj", "stats"};
 
 using WriteExport = Result<void> (*)(std::ostream&, const Diagram&, const ExportOptions&);
-/// The formats that draw a diagram.
-const std::map<std::string, WriteExport> kExports = {{"svg", writeSvg},
-                                                     {"geojson", writeGeoJson},
-                                                     {"geojsonl", writeGeoJsonLines},
-                                                     {"wkt", writeWkt},
-                                                     {"obj", writeObj}};
+/// The formats that clip a diagram.
+const std::map<std::string, WriteExport> kExports = {{"cells", writeCellsCsv},  {"svg", writeSvg},
+                                                     {"geojson", writeGeoJson}, {"geojsonl", writeGeoJsonLines},
+                                                     {"wkt", writeWkt},         {"obj", writeObj}};
 
 /// Returns a given option that only drawings of a diagram use, or null.
 const char* drawingOption(const Output& output) {
@@ -51,8 +49,13 @@ const std::map<std::string, WriteCircles> kCircleFormats = {
 /// Prints a warning on standard error if members of a collection such as `crs` get lost, although circles or cells keep
 /// their other attributes.
 void noteCollection(const Output& output, ProgressLine& progress) {
-  const bool isLost = output.format == "csv" || output.format == "json" || output.format == "geojsonl";
-  if (!isLost || output.attributes.collection.empty()) return;
+  const bool isLost =
+      output.format == "csv" || output.format == "cells" || output.format == "json" || output.format == "geojsonl";
+  if (!isLost) return;
+  CircleAttributes attributes = {.collection = output.attributes.collection};
+  // The member was recorded by this program, and the cells are in degrees again.
+  Projection::removeFrom(attributes);
+  if (attributes.collection.empty()) return;
   note("The format " + output.format + " has no place for the members of the collection, such as crs.", progress);
 }
 
@@ -128,9 +131,9 @@ void addOutputOptions(CLI::App& command, Output& output) {
   addOutputFile(command, output);
   addFormatOption(command, output, kFormats);
   command
-      .add_option(
-          "--bounds", output.bounds,
-          "The box to clip to (svg, geojson, geojsonl, wkt, obj); by default the circles with a margin around them")
+      .add_option("--bounds", output.bounds,
+                  "The box to clip to (cells, svg, geojson, geojsonl, wkt, obj); by default the circles with a margin "
+                  "around them")
       ->type_name("MINX,MINY,MAXX,MAXY")
       ->check([](const std::string& text) {
         Box box;
@@ -138,7 +141,7 @@ void addOutputOptions(CLI::App& command, Output& output) {
       });
   addRegionOptions(
       command, output,
-      "A file with the region to clip to, as GeoJSON or well-known text (svg, geojson, geojsonl, wkt, obj)");
+      "A file with the region to clip to, as GeoJSON or well-known text (cells, svg, geojson, geojsonl, wkt, obj)");
   command
       .add_option("--tolerance", output.tolerance,
                   "The largest distance between the output and the true curves (svg, geojson, geojsonl, wkt, obj); by "
@@ -150,7 +153,7 @@ void addOutputOptions(CLI::App& command, Output& output) {
       });
   command
       .add_option("--max-distance", output.maxDistance,
-                  "Cut cells and edges at this distance from their circles (svg, geojson, geojsonl, wkt, obj)")
+                  "Cut cells and edges at this distance from their circles (cells, svg, geojson, geojsonl, wkt, obj)")
       ->type_name("DISTANCE")
       ->check([](const std::string& text) {
         const auto distance = readNumber(text);
@@ -189,10 +192,14 @@ void settle(Output& output) {
     }
     output.format = ending.empty() ? kDefaultFormat : ending;
   }
+  if (output.format == "cells" && output.tolerance > 0) {
+    throw CommandError{kBadInput, "--tolerance is not for --format cells: areas are exact."};
+  }
   if (output.format == "stats" && output.digits) throw CommandError{kBadInput, "--digits is not for --format stats."};
   if (!kExports.contains(output.format) && !output.isOnSphere) {
     if (const char* unused = drawingOption(output))
-      throw CommandError{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
+      throw CommandError{kBadInput, std::string(unused) + " needs --format " + (output.tolerance > 0 ? "" : "cells, ") +
+                                        "svg, geojson, geojsonl, wkt or obj."};
   }
   if (output.dissolve && output.regionFile.empty()) throw CommandError{kBadInput, "--dissolve needs --region."};
   if (output.regionFile.empty()) return;
@@ -214,6 +221,11 @@ ExportOptions exportOptions(const Output& output) {
     options.place = [projection = *output.projection](Point p) { return projection.degrees(p); };
   }
   return options;
+}
+
+void checkCrs(const CLI::App& command, const Output& output) {
+  if (command.count("--crs") == 0 || output.format == "geojson" || output.format == "json") return;
+  throw CommandError{kBadInput, "--crs needs --format geojson or json."};
 }
 
 void addProjectOption(CLI::App& command, std::string& name) {
@@ -245,7 +257,7 @@ void takeRecordedProjection(Output& output, const CircleAttributes& attributes) 
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress) {
   const auto found = kExports.find(output.format);
   refusePoles(output, name, diagram);
-  if (output.format == "geojsonl") noteCollection(output, progress);
+  if (output.format == "geojsonl" || output.format == "cells") noteCollection(output, progress);
   write(output, name, progress, [&](std::ostream& out) {
     if (found != kExports.end()) return found->second(out, diagram, exportOptions(output));
     if (output.format == "stats") return writeStatsJson(out, diagram);
@@ -267,7 +279,7 @@ void addLatticeOption(CLI::App& command, std::string& lattice) {
 }
 
 void checkPeriodicOutput(const Output& output) {
-  if (output.format == "wkt" || output.format == "obj") {
+  if (output.format == "cells" || output.format == "wkt" || output.format == "obj") {
     throw CommandError{kBadInput, "--lattice takes no --format " + output.format + "."};
   }
   const char* unused = drawingOption(output);

@@ -61,6 +61,9 @@ void settle(Output& output);
 /// outlive them.
 ExportOptions exportOptions(const Output& output);
 
+/// Throws CommandError if `--crs` is given, but the format cannot name a reference system.
+void checkCrs(const CLI::App& command, const Output& output);
+
 /// Adds `--project` to a command.
 void addProjectOption(CLI::App& command, std::string& name);
 

@@ -64,24 +64,30 @@ void check(const SpherePart& part, const CLI::App& command, const Output& output
   }
 }
 
-void computeOnSphere(const SpherePart& part, const Output& output, const CirclesInput& input, CircleFile file,
-                     int threads, ProgressLine& progress) {
-  const std::string name = inputName(input.file);
+SphereDiagram diagramOnSphere(const SpherePart& part, const CirclesInput& input, const CircleFile& file, int threads,
+                              ProgressLine& progress) {
   std::vector<Cap> caps;
   caps.reserve(file.circles.size());
   for (const auto& [x, y, r] : file.circles) caps.push_back({x, y, r});
   progress.show("compute");
-  const auto diagram = computeSphere(caps, {kEarthRadii.at(part.unit), input.weights(), threads});
-  if (!diagram) fail(diagram.error(), name + ": ");
+  auto diagram = computeSphere(caps, {kEarthRadii.at(part.unit), input.weights(), threads});
+  if (!diagram) fail(diagram.error(), inputName(input.file) + ": ");
   noteSkipped(file, progress);
   noteHidden(diagram->hidden.size(), caps.size(), "another unit (see --unit)", progress);
+  return std::move(diagram).value();
+}
+
+void computeOnSphere(const SpherePart& part, const Output& output, const CirclesInput& input, CircleFile file,
+                     int threads, ProgressLine& progress) {
+  const std::string name = inputName(input.file);
+  const SphereDiagram diagram = diagramOnSphere(part, input, file, threads, progress);
   SphereExportOptions options;
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   options.maxDistance = output.maxDistance;
   options.digits = output.digits;
   options.attributes = &file.attributes;
   write(output, name, progress,
-        [&](std::ostream& out) { return kSphereFormats.at(output.format)(out, *diagram, options); });
+        [&](std::ostream& out) { return kSphereFormats.at(output.format)(out, diagram, options); });
 }
 
 }  // namespace circle_voronoi::cli

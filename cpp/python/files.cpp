@@ -80,6 +80,7 @@ const std::map<std::string, Write>& writers() {
       {"json", [](auto& out, const auto& d,
                   const auto& options) { return writeDiagramFile(out, d, *options.attributes, options.digits); }},
       {"csv", [](auto& out, const auto& d, const auto& options) { return writeDiagramCsv(out, d, options.digits); }},
+      {"cells", writeCellsCsv},
       {"svg", writeSvg},
       {"geojson", writeGeoJson},
       {"geojsonl", writeGeoJsonLines},

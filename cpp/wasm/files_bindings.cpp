@@ -28,8 +28,9 @@ template <class Write>
 using Formats = std::pair<std::string_view, Write>;
 
 /// The formats that draw a diagram.
-constexpr std::array<Formats<Result<void> (*)(std::ostream&, const Diagram&, const ExportOptions&)>, 5> kExports = {
-    {{"svg", writeSvg},
+constexpr std::array<Formats<Result<void> (*)(std::ostream&, const Diagram&, const ExportOptions&)>, 6> kExports = {
+    {{"cells", writeCellsCsv},
+     {"svg", writeSvg},
      {"geojson", writeGeoJson},
      {"geojsonl", writeGeoJsonLines},
      {"wkt", writeWkt},
@@ -158,7 +159,8 @@ ReadOptions readOptionsFrom(const val& value) {
           .y = text("y"),
           .radius = text("radius"),
           .id = text("id"),
-          .skipInvalid = value["skipInvalid"].as<bool>()};
+          .skipInvalid = value["skipInvalid"].as<bool>(),
+          .crs = text("crs")};
 }
 
 /// `options` has all members of ReadCirclesOptions.

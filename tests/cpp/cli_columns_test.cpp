@@ -60,8 +60,9 @@ TEST_F(CliColumns, AreQuotedAsTheyAre) {
   for (const std::string name : {"the option r", "Set `dissolve` to merge them.", "`shares` tolerance relax"}) {
     const std::string file = write(name, "\"x\",\"y\",\"" + name + "\"\n1,2,no\n");
     const std::string quoted = "'" + file + "'";
-    expectFailure(run("compute " + quoted), 2,
-                  file + ":1: no column is called r, rad or radius, only x, y, " + name + "; name one by --radius.");
+    expectFailure(
+        run("compute " + quoted), 2,
+        file + ":1: no column is called r, rad or radius, only x, y, " + name + "; make all radii 0 by --points.");
     expectFailure(run("compute " + quoted + " --radius '" + name + "'"), 2,
                   file + ":2: " + name + " is not a number: \"no\".");
     expectFailure(run("fit " + quoted + " --lattice 1,0,0,1 --areas '" + name + "'"), 2,

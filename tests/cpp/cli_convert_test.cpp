@@ -115,7 +115,7 @@ TEST_F(CliConvert, CellsAreCutAtAMaximumDistance) {
     EXPECT_NE(textOf("compute - --format " + std::string(format), circles), text);
   }
   expectFailure(run("compute - --max-distance 1", circles), 2,
-                "--max-distance needs --format svg, geojson, geojsonl, wkt or obj.");
+                "--max-distance needs --format cells, svg, geojson, geojsonl, wkt or obj.");
   expectFailure(run("compute - --format svg --max-distance=inf", circles), 2,
                 "--max-distance: expected a number up to 1.2e30 (2^100).");
 }

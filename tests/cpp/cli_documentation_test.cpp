@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
-const std::vector<std::string> kCommands = {"certify", "compute",  "convert", "edit",
+const std::vector<std::string> kCommands = {"certify", "compute",  "convert", "edit",   "find",
                                             "fit",     "generate", "tile",    "treemap"};
 
 Words wordsOf(const std::string& text) {

@@ -153,7 +153,7 @@ TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
                 "standard input:1: The new circle has a coordinate or a radius beyond 7.9e28 (2^96).");
   expectRefusal("insert,0,nan,1\n", "standard input:1: \"nan\" is not a finite number.");
   expectRefusal("insert,0,\xFF\x1B,1\n", "standard input:1: \"??\" is not a finite number.");
-  expectRefusal("\xFF\xFEr\n", "standard input:1: the text is UTF-16; it has to be UTF-8.");
+  expectRefusal("\xFF\xFEr\n", "standard input:1: the text is UTF-16; save it as UTF-8.");
   expectRefusal("insert,0,0\n", "standard input:1: insert takes 3 numbers, not 2.");
   expectRefusal("insert,1,0,0,1\n", "standard input:1: There is no removed circle with id 1.");
   expectRefusal("insert,-1,0,0,1\n", "standard input:1: \"-1\" is no id.");

@@ -121,10 +121,13 @@ TEST_F(CliRegion, RefusesInvalidRegionsAndOptions) {
   const std::string compute = "compute " + circles_ + " --format wkt --region ";
   fails(compute + circles_, "circles.csv:1: ");
   fails(compute + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"), "bow.wkt: Side 0 of ring 0 of the region");
+  const std::string spike = compute + write("spike.wkt", "POLYGON ((0 0, 4 0, 6 0, 4 0, 4 4, 0 4))");
+  fails(spike, " Set --dissolve to repair it.");
+  EXPECT_EQ(textOf(spike + " --dissolve"), textOf(compute + write("no-spike.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4))")));
   fails(compute + write("open.wkt", "POLYGON ((0 0, 1 0, 1 1)"), "open.wkt:1: ");
   fails(compute + write("none.json", R"({"type":"FeatureCollection","features":[]})"), "The region has no ring.");
   fails(compute + region_ + " --bounds 0,0,1,1", "--region takes no --bounds.");
-  fails("compute " + circles_ + " --format csv --region " + region_, "--region needs --format svg, geojson");
+  fails("compute " + circles_ + " --format csv --region " + region_, "--region needs --format cells, svg, geojson");
 }
 
 }  // namespace

@@ -179,7 +179,8 @@ TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
   expectFailure(run(disc + "uniform --resample"), 2, "--resample needs --candidates dynamic.");
   for (const std::string format : {"json", "csv", "stats"}) {
     for (const std::string& command : {compute, "convert " + kFixture}) {
-      expectFailure(run(command + " --bounds 0,0,1,1 --format " + format), 2, "--bounds needs --format svg, geojson");
+      expectFailure(run(command + " --bounds 0,0,1,1 --format " + format), 2,
+                    "--bounds needs --format cells, svg, geojson");
       expectFailure(run(command + " --tolerance 1 --format " + format), 2, "--tolerance needs --format svg, geojson");
     }
   }
@@ -251,8 +252,9 @@ TEST_F(Cli, ListsTheFamilies) {
 }
 
 TEST_F(Cli, BadUsageIsSaidInOneLine) {
-  expectFailure(run(""), 2,
-                "A command is missing; the commands are certify, compute, convert, edit, fit, generate and tile.");
+  expectFailure(
+      run(""), 2,
+      "A command is missing; the commands are certify, compute, convert, edit, find, fit, generate, tile and treemap.");
   expectFailure(run("picture"), 2, "The npm package has the command picture: npx circle-voronoi picture ...");
   EXPECT_NE(run("--help").out.find("the command picture draws"), std::string::npos);
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are certify, ");

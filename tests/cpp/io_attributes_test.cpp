@@ -79,7 +79,8 @@ TEST(ReadCircleFile, TextIsKeptAsItIs) {
   EXPECT_EQ(fileOf("x,y,r,note\n1,2,3,[1] {a}\n").attributes.properties, Strings{R"("note":"[1] {a}")"});
   EXPECT_EQ(fileOf("x,y,r,note\n1,2,3,\"a\"\"\"\"b\"\n").attributes.properties, Strings{R"("note":"a\"\"b")"});
   EXPECT_EQ(fileOf("x,y,r,note\n1,2,3,\"a\nb\"\n").attributes.properties, Strings{R"("note":"a\u000ab")"});
-  EXPECT_EQ(fileErrorOf("x,y,r,note\n1,2,3,caf\xE9\n"), "test:2: the text is not UTF-8.");
+  EXPECT_EQ(fileErrorOf("x,y,r,note\n1,2,3,caf\xE9\n"),
+            "test:2: the text is not UTF-8, perhaps Windows-1252; save it as UTF-8.");
 }
 
 TEST(NumbersIn, TakesAColumnWhoseNameIsOneOfTheOutputOrThatIsQuoted) {

@@ -83,7 +83,7 @@ TEST(ReadCsv, PointsNeedNoRadius) {
 
 TEST(ReadCircles, OtherEncodingsAreNamed) {
   using namespace std::string_view_literals;
-  const std::string expected = "test:1: the text is UTF-16; it has to be UTF-8.";
+  const std::string expected = "test:1: the text is UTF-16; save it as UTF-8.";
   EXPECT_EQ(errorOf("\xFF\xFE"
                     "1\0,\0002\0,\0003\0"sv),
             expected);

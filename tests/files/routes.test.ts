@@ -96,6 +96,7 @@ const routes: Readonly<Record<string, () => string>> = {
     program(points, program(['convert', '-', '--circles', '--format', 'csv'], program(['compute', '-'], STORES))),
   '`compute` to `geojson`': () => program(['compute', '-', ...cells([])], STORES),
   '`compute` to `geojsonl`': () => collectionOf(program(['compute', '-', '--format', 'geojsonl'], STORES)),
+  '`compute` to `cells`': () => program(points, program(['compute', '-', '--format', 'cells'], STORES)),
   '`compute --region` to `geojson`': () => program(['compute', '-', ...cells(['--region', region])], STORES),
   '`edit` to `geojson`': () => program(['edit', '-', ...cells(['--script', script])], STORES),
   '`edit` of a diagram to `json`, then `convert`': () =>

@@ -41,11 +41,11 @@ export const CIRCLE_FORMATS = ['csv', 'json', 'geojson'] as const
  * @example
  * DIAGRAM_FORMATS.includes('wkt') // true
  */
-export const DIAGRAM_FORMATS = ['json', 'csv', 'stats', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj'] as const
-const DRAWN: readonly string[] = ['svg', 'geojson', 'geojsonl', 'wkt', 'obj']
+export const DIAGRAM_FORMATS = ['json', 'csv', 'cells', 'stats', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj'] as const
+const DRAWN: readonly string[] = ['cells', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj']
 /** The formats that say more about circles than x, y and r. */
-const ATTRIBUTED: readonly string[] = ['json', 'geojson', 'geojsonl']
-const READ_OPTIONS = ['weights', 'points', 'x', 'y', 'radius', 'id', 'skipInvalid'] as const
+const ATTRIBUTED: readonly string[] = ['json', 'cells', 'geojson', 'geojsonl']
+const READ_OPTIONS = ['weights', 'points', 'x', 'y', 'radius', 'id', 'skipInvalid', 'crs'] as const
 const DRAWN_OPTIONS = ['bounds', 'region', 'maxDistance', 'tolerance'] as const
 
 /**
@@ -112,7 +112,8 @@ export interface ReadDiagram {
  */
 export interface DiagramFileOptions {
   /**
-   * The format. `json` can be read again; `csv`: vertices and edges; `stats`: counters and times; `svg`: a drawing with
+   * The format. `json` can be read again; `csv`: vertices and edges; `cells`: a table (CSV) with circle, x, y, r, area,
+   * perimeter, neighbors and hiddenBy, where unbounded cells have the area `inf` unless something clips them; `stats`: counters and times; `svg`: a drawing with
    * true curves, one group for each layer; `geojson`: cells as polygons, with circle, r, area and neighbors;
    * `geojsonl`: one cell per line; `wkt`: one line for each circle; `obj`: edges and cells. Default: `json`.
    */
@@ -174,6 +175,11 @@ export interface ReadCirclesOptions extends ReadOptions {
    * number that is not finite, or a geometry other than a point. Default: false.
    */
   readonly skipInvalid?: boolean | undefined
+  /**
+   * The coordinate reference system, such as `EPSG:25832`, or its URN. GeoJSON names it in `collection`, unless it is
+   * `EPSG:4326`. Default: as the file says.
+   */
+  readonly crs?: string | undefined
 }
 
 /**
@@ -183,8 +189,8 @@ export interface ReadCirclesOptions extends ReadOptions {
  */
 export interface Files {
   /**
-   * Reads circles from CSV (x, y, r, or columns found by name), JSON (`[[x, y, r], ...]` or objects) or GeoJSON points
-   * with a property r, rad or radius, and returns x, y, r of each.
+   * Reads circles from CSV (x, y, r, or columns found by name, or a column of well-known text), JSON (`[[x, y, r], ...]`
+   * or objects) or GeoJSON points (also one a line) with a property r, rad or radius, and returns x, y, r of each.
    *
    * @throws CircleVoronoiError whose message begins with the file's name and the line: `badInput`, and the codes of
    *   `compute`
@@ -304,19 +310,21 @@ function columnsOf(options: ReadCirclesOptions) {
     if (typeof value !== 'boolean') refuseOption(`The option ${name} is true or false.`)
     return value
   }
-  const column = (name: 'x' | 'y' | 'radius' | 'id'): string => {
+  const text = (name: 'x' | 'y' | 'radius' | 'id' | 'crs'): string => {
     const { [name]: value = '' }: { readonly [Name in typeof name]?: unknown } = options
-    if (typeof value !== 'string') refuseOption(`The option ${name} is the name of a column, not ${shown(value)}.`)
+    const what = name === 'crs' ? 'a reference system' : 'a column'
+    if (typeof value !== 'string') refuseOption(`The option ${name} is the name of ${what}, not ${shown(value)}.`)
     return value
   }
   const columns = {
     weights: flag('weights'),
     points: flag('points'),
     skipInvalid: flag('skipInvalid'),
-    x: column('x'),
-    y: column('y'),
-    radius: column('radius'),
-    id: column('id'),
+    x: text('x'),
+    y: text('y'),
+    radius: text('radius'),
+    id: text('id'),
+    crs: text('crs'),
   }
   if (columns.points && columns.radius !== '') refuseOption('The option points takes no radius.')
   return columns

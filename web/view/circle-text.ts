@@ -8,6 +8,7 @@ import { COLOR_COLUMN, NAME_COLUMN } from './identity-columns.ts'
 import {
   filled,
   NumberReader,
+  namedSeparator,
   recordsOf,
   SEPARATORS,
   type Separator,
@@ -49,25 +50,60 @@ export function circlesOfText(text: string): Float64s {
 
 /** @throws TextProblem */
 export function namedCirclesOfText(text: string): TextCircles {
-  const content = text.replace(/^\uFEFF/, '')
+  // JSON lines may have the record separators of RFC 8142.
+  const content = text.replace(/^\uFEFF/, '').replaceAll('\x1E', '\n')
   if (!/^\s*[[{]/.test(content)) return circlesOfTable(content)
-  let given: unknown
   try {
-    given = JSON.parse(content)
+    return circlesOfJson(JSON.parse(content))
   } catch (error) {
-    throw new TextProblem((error as Error).message)
+    if (error instanceof TextProblem) throw error
+    const lines = linesOfJson(content)
+    if (lines === undefined) throw new TextProblem((error as Error).message)
+    return circlesOfFeatures(lines)
   }
-  return circlesOfJson(given)
+}
+
+/** The values of a text with a Feature or a geometry on each line; `undefined` if it is no such text. */
+function linesOfJson(text: string): unknown[] | undefined {
+  try {
+    const values = text.split(/[\r\n]+/).flatMap((line) => (line.trim() === '' ? [] : [JSON.parse(line) as unknown]))
+    return isFeature(values[0]) ? values : undefined
+  } catch {
+    return undefined
+  }
 }
 
 /** Reads circles from parsed JSON. @throws TextProblem */
 export function circlesOfJson(given: unknown): TextCircles {
   if (Array.isArray(given)) return { circles: numbersOf(given, circleOfItem), columns: identitiesIn(given) }
+  if (isFeature(given)) return circlesOfFeatures([given])
   if (!isRecord(given) || given.type !== 'FeatureCollection' || !Array.isArray(given.features)) {
-    throw new TextProblem('expected an array of circles or a GeoJSON FeatureCollection')
+    throw new TextProblem('expected an array of circles, or a GeoJSON FeatureCollection or Feature')
   }
-  const circles = numbersOf(given.features, circleOfFeature)
-  return { circles, columns: identitiesIn(given.features.map(({ properties }) => properties)) }
+  return circlesOfFeatures(given.features)
+}
+
+/** Returns whether a value is a Feature or a geometry of GeoJSON. */
+function isFeature(given: unknown): boolean {
+  return isRecord(given) && given.features === undefined && (given.type === 'Feature' || 'coordinates' in given)
+}
+
+/** Reads Features. Each point of a MultiPoint is a circle. */
+function circlesOfFeatures(features: readonly unknown[]): TextCircles {
+  const points = features.flatMap((feature, circle) => {
+    const given = isRecord(feature) ? feature.properties : undefined
+    const properties = isRecord(given) ? given : {}
+    const radius = namedValue(properties, RADIUS)
+    return pointsOfFeature(feature).map(([x, y]) => {
+      const numbers = [x, y, radius]
+      if (!isCircle(numbers)) throw new TextProblem('not a circle', { circle })
+      return { numbers: numbers as number[], properties }
+    })
+  })
+  return {
+    circles: Float64Array.from(points.flatMap(({ numbers }) => numbers)),
+    columns: identitiesIn(points.map(({ properties }) => properties)),
+  }
 }
 
 /** The names and colors among the members of objects. */
@@ -103,13 +139,13 @@ function circleOfItem(item: unknown): readonly unknown[] | undefined {
   return isRecord(item) ? NAMES.map((_, k) => namedValue(item, k)) : undefined
 }
 
-function circleOfFeature(feature: unknown): readonly unknown[] | undefined {
-  if (!isRecord(feature) || feature.type !== 'Feature' || !isRecord(feature.geometry)) return undefined
-  const { type, coordinates } = feature.geometry
-  const isOnePoint = type === 'MultiPoint' && Array.isArray(coordinates) && coordinates.length === 1
-  const point: unknown = isOnePoint ? coordinates[0] : type === 'Point' ? coordinates : undefined
-  if (!Array.isArray(point)) return undefined
-  return [point[0], point[1], isRecord(feature.properties) ? namedValue(feature.properties, RADIUS) : undefined]
+/** The positions of a Feature; one that is no circle if it has none. */
+function pointsOfFeature(feature: unknown): readonly (readonly unknown[])[] {
+  const geometry = isRecord(feature) && feature.type === 'Feature' ? feature.geometry : undefined
+  if (!isRecord(geometry) || !Array.isArray(geometry.coordinates)) return [[]]
+  const { type, coordinates } = geometry
+  if (type === 'Point') return [coordinates]
+  return type === 'MultiPoint' && coordinates.length > 0 && coordinates.every(Array.isArray) ? coordinates : [[]]
 }
 
 /** The member of an object for x, y or r: the first name of the list with a numeric value. */
@@ -129,7 +165,9 @@ function isCircle(circle: readonly unknown[]): boolean {
 function circlesOfTable(text: string): TextCircles {
   let failed: unknown
   let line: number | undefined
+  const named = namedSeparator(text)
   for (const separator of SEPARATORS) {
+    if (named !== undefined && separator !== named) continue
     let first: TextRow | undefined
     try {
       ;[first] = recordsOf(text, separator)
@@ -139,12 +177,15 @@ function circlesOfTable(text: string): TextCircles {
       continue
     }
     if (first === undefined) throw new TextProblem('no circles')
-    if (isHeaderOrCircle(first, separator)) {
-      return circlesOfRows([...recordsOf(text, separator)], separator)
-    }
+    if (isHeaderOrCircle(first, separator)) return circlesOfRows([...recordsOf(text, separator)], separator)
     line ??= first.line
+    if (!/POINT/i.test(text)) continue
+    const rows = [...recordsOf(text, separator)]
+    if (pointColumnsOf(rows) !== undefined) return circlesOfRows(rows, separator)
   }
-  throw line === undefined ? failed : new TextProblem('not three numbers', { line })
+  throw line === undefined
+    ? (failed ?? new TextProblem('no separator', { line: 1 }))
+    : new TextProblem('not three numbers', { line })
 }
 
 /** Returns whether the first row of a table names the columns or is a circle. @throws TextProblem if two columns mean one */
@@ -155,21 +196,65 @@ export function isHeaderOrCircle(first: TextRow, separator: Separator): boolean 
 /** Reads circles from rows. The first row may be a header. @throws TextProblem */
 export function circlesOfRows(rows: readonly TextRow[], separator: Separator): TextCircles {
   const header = rows[0] === undefined ? undefined : columnsOf(rows[0])
-  const columns = header ?? [0, 1, 2]
-  const width = header === undefined ? 3 : (rows[0] as TextRow).fields.length
+  const points = header === undefined ? pointColumnsOf(rows) : undefined
+  const hasHeader = header !== undefined || points !== undefined
+  const columns = header ?? (points === undefined ? [0, 1, 2] : [points.radius])
+  const width = hasHeader ? (rows[0] as TextRow).fields.length : 3
   const reader = new NumberReader(separator)
-  const circles = rows.slice(header === undefined ? 0 : 1).map(({ line, fields: given }) => {
+  const srids = new Set<string>()
+  const circles = rows.slice(hasHeader ? 1 : 0).flatMap((row) => {
+    const { line, fields: given } = row
     const fields = given.length > width ? filled(given) : given
-    const isRow = header === undefined ? fields.length === width : fields.length <= width
-    const circle = columns.map((column) => reader.read(fields[column] ?? { text: '', isQuoted: false }))
-    if (!isRow || !isCircle(circle)) throw new TextProblem('not three numbers', { line })
-    return circle as number[]
+    const isRow = hasHeader ? fields.length <= width : fields.length === width
+    const numbers = columns.map((column) => reader.read(fields[column] ?? { text: '', isQuoted: false }))
+    const wkt = points === undefined ? undefined : wktPoints(fields[points.place]?.text ?? '')
+    if (wkt?.srid !== undefined) srids.add(wkt.srid)
+    const all = points === undefined ? [numbers] : (wkt?.points ?? []).map((point) => [...point, ...numbers])
+    if (!isRow || all.length === 0 || !all.every(isCircle) || srids.size > 1) {
+      throw new TextProblem('not three numbers', { line })
+    }
+    return all.map((circle) => ({ circle: circle as number[], row }))
   })
-  const names = header === undefined ? [] : (rows[0] as TextRow).fields.map(({ text }, k) => [text, k] as const)
+  const names = hasHeader ? (rows[0] as TextRow).fields.map(({ text }, k) => [text, k] as const) : []
   const identities = names.filter(([name]) => isIdentity(name))
   const recordOf = ({ fields }: TextRow) => Object.fromEntries(identities.map(([name, k]) => [name, fields[k]?.text]))
-  const named = identities.length === 0 ? [] : identitiesIn(rows.slice(1).map(recordOf))
-  return { circles: Float64Array.from(circles.flat()), columns: named }
+  const named = identities.length === 0 ? [] : identitiesIn(circles.map(({ row }) => recordOf(row)))
+  return { circles: Float64Array.from(circles.flatMap(({ circle }) => circle)), columns: named }
+}
+
+/** The columns of points as well-known text and of radii, below a header; `undefined` if there are none. */
+function pointColumnsOf([header, ...rows]: readonly TextRow[]): { place: number; radius: number } | undefined {
+  const names = header?.fields.map(({ text }) => text.toLowerCase()) ?? []
+  const [radius, other] = names.flatMap((name, k) => ((NAMES[RADIUS] as readonly string[]).includes(name) ? [k] : []))
+  if (radius === undefined || other !== undefined) return undefined
+  const placesOf = ({ fields }: TextRow) =>
+    [...names.keys()].filter((k) => wktPoints(fields[k]?.text ?? '') !== undefined)
+  const first = rows.find((row) => placesOf(row).length > 0)
+  const [place, second] = first === undefined ? [] : placesOf(first)
+  if (second !== undefined) throw new TextProblem('two columns of points', { line: first?.line })
+  return place === undefined ? undefined : { place, radius }
+}
+
+const WKT = /^\s*(?:SRID\s*=\s*(\d+)\s*;)?\s*(MULTI)?POINT\s*(?:ZM|Z|M)?\s*\((.*)\)\s*;?\s*$/i
+
+/** The positions of a POINT or a MULTIPOINT; `undefined` if a text is neither. */
+function wktPoints(text: string): { srid: string | undefined; points: readonly (readonly number[])[] } | undefined {
+  const [, srid, multi, inside] = WKT.exec(text) ?? []
+  if (inside === undefined) return undefined
+  const positions =
+    multi === undefined
+      ? [inside]
+      : inside
+          .split(',')
+          .flatMap((part) => (/^\s*EMPTY\s*$/i.test(part) ? [] : [part.replace(/^\s*\((.*)\)\s*$/, '$1')]))
+  const points = positions.map((position) =>
+    position
+      .trim()
+      .split(/\s+/)
+      .map((text) => new NumberReader(',').read({ text, isQuoted: false })),
+  )
+  const arePoints = points.length > 0 && points.every((point) => point.length > 1 && !point.includes(undefined))
+  return arePoints ? { srid, points: points.map((point) => point.slice(0, 2) as number[]) } : undefined
 }
 
 /**

@@ -36,12 +36,20 @@ export class TextProblem extends Error {
 export const SEPARATORS = [';', '\t', '|', ',', ' '] as const
 export type Separator = (typeof SEPARATORS)[number]
 
+/** A line that names the separator, as Excel writes it. */
+const SEPARATOR_LINE = /^[ \t]*("?)sep=(.)\1 *$/i
+
+/** The separator that the first line of a text names; `undefined` if it names none. */
+export function namedSeparator(text: string): string | undefined {
+  return SEPARATOR_LINE.exec(/[^\r\n]*/.exec(text.replace(/^[\uFEFF\s]+/, ''))?.[0] ?? '')?.[2]
+}
+
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
 const DECIMAL_COMMA = /^([^.,]*),(\d[^.,]*)$/
 
 /**
- * The records of a table. Blank lines, lines of separators and comments (`#`) are skipped. Quoted fields may contain
- * line ends. A space as the separator stands for any number of spaces and tabs.
+ * The records of a table. Blank lines, lines of separators, lines that name the separator (`sep=;`) and comments (`#`)
+ * are skipped. Quoted fields may contain line ends. A space as the separator stands for any number of spaces and tabs.
  * @throws TextProblem if quotation marks do not match
  */
 export function* recordsOf(text: string, separator: Separator): Generator<TableRecord> {
@@ -86,7 +94,9 @@ export function* recordsOf(text: string, separator: Separator): Generator<TableR
     const begin = line
     skipBlanks()
     const fields: TableField[] = []
-    if (text[at] === '#') {
+    const isNaming =
+      /s|"/i.test(text[at] ?? '') && SEPARATOR_LINE.test(/[^\r\n]*/.exec(text.slice(at, at + 99))?.[0] ?? '')
+    if (text[at] === '#' || isNaming) {
       while (!isLineEnd()) at += 1
     } else {
       let hasMore = true

@@ -117,6 +117,12 @@ Result<void> writeWkt(std::ostream& out, const Diagram& diagram, const ExportOpt
 /// cells as faces, with a group for each circle.
 Result<void> writeObj(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
+/// Writes the cells as a table (CSV) with a line for each circle and the columns circle, x, y, r, area, perimeter,
+/// neighbors (circles, with spaces between them), hiddenBy, and those of the attributes. Areas and perimeters of
+/// unbounded cells are `inf`, unless bounds, a region or a maximum distance is given. They keep all digits, unless
+/// ExportOptions::digits is given. Centers are mapped by ExportOptions::place, and the tolerance plays no role.
+Result<void> writeCellsCsv(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+
 /// Writes the vertices and edges as a table with the columns type, index, x, y, r, circle1, circle2, circle3, start,
 /// end. A vertex has its disc and its three circles. An edge has its left and right circle and its vertices, -1 for
 /// infinity. The diagram need not be certified.

@@ -13,6 +13,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/index.h"
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region.h"
 
@@ -36,6 +37,9 @@ struct ReadOptions {
   std::string radius = {};   ///< the column of the radii; empty: by its usual names
   std::string id = {};       ///< the column of the ids; empty: `id`
   bool skipInvalid = false;  ///< whether rows and features that are no circles are skipped rather than refused
+  /// The coordinate reference system, such as EPSG:25832, or its URN; empty: as the file says. GeoJSON names it in the
+  /// member `crs` of the collection, unless it is EPSG:4326, the default.
+  std::string crs = {};
 };
 
 /// The circles of a file and their attributes.
@@ -53,15 +57,19 @@ struct CircleFile {
 /// character tells the format:
 ///
 /// - `[` begins JSON: `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`.
-/// - `{` begins a GeoJSON FeatureCollection of Points with a property for the radius. A MultiPoint of one point is a
-///   Point.
+/// - `{` begins GeoJSON: a FeatureCollection, a Feature, a geometry, or one of the latter two a line. Features are
+/// Points
+///   with a property for the radius. Each point of a MultiPoint is a circle of its own.
 /// - Anything else is a table (CSV) with a line for each circle.
 ///
 /// In a table, commas, semicolons, tabs, vertical bars or spaces separate the fields, whichever occurs in the first
 /// line. Fields may be in quotation marks. Empty lines and lines that begin with `#` are skipped. The first line may
 /// name the columns, in any order and case: x, cx, lon, long, lng, longitude or easting; y, cy, lat, latitude or
 /// northing; r, rad or radius. Without such a line there are three columns: x, y, r. If commas do not separate the
-/// fields, or inside quotation marks, commas may be decimal marks. A text has one kind of decimal mark.
+/// fields, or inside quotation marks, commas may be decimal marks. A text has one kind of decimal mark. In place of x
+/// and y, a column of any name may have well-known text: POINT, or MULTIPOINT for several circles with the same
+/// attributes. If this text has an SRID, it is the reference system (ReadOptions::crs). A line `sep=;`, as Excel writes
+/// it, names the separator.
 ///
 /// JSON and GeoJSON have the same names. If an object has several of these names, the first in these lists counts. The
 /// last value of a name that is given twice counts.
@@ -69,7 +77,8 @@ struct CircleFile {
 /// `name` is what errors call the text. Each message is one sentence that starts with `name:line:`.
 /// Errors: badInput, also for an empty text, for a line of a table longer than 64 MiB, and if all circles are skipped;
 /// and what `compute` would reject, so that the message can name the line: nonFinite, negativeRadius,
-/// coordinateTooLarge, coordinateTooSmall, tooManyCircles. badOption if x or y is named for GeoJSON.
+/// coordinateTooLarge, coordinateTooSmall, tooManyCircles. badOption if x or y is named for GeoJSON, or for a wrong
+/// crs.
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 /// Reads circles like `readCircles`, and what the file says about them.
@@ -91,8 +100,9 @@ Result<CircleFile> readCircleFile(std::string_view text, std::string_view name, 
 /// Errors: badInput if a circle has no such number.
 Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::string_view column);
 
-/// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, or
-/// well-known text (POLYGON or MULTIPOLYGON). Coordinates beyond the second of a position are ignored.
+/// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, several of
+/// these one a line, or well-known text (POLYGON, MULTIPOLYGON or a GEOMETRYCOLLECTION of these). Empty parts, an SRID,
+/// and coordinates beyond the second of a position are ignored.
 ///
 /// `name` is what errors call the text. Messages about the syntax start with `name:line:`, others with `name:`.
 /// Errors: badInput; see also Region::fromPolygons.
@@ -117,6 +127,19 @@ Result<void> writeCirclesJson(std::ostream& out, std::span<const Circle> circles
                               const CircleAttributes& attributes = {});
 Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles,
                                  const CircleAttributes& attributes = {});
+
+/// The cell of a point.
+struct Found {
+  CircleIndex circle = kNone;  ///< the nearest circle; kNone if there are no circles
+  double distance = 0;         ///< the distance of the point from it
+};
+
+/// Writes the cells of points as a table (CSV) with a line for each point and the columns x, y, circle, circle_id,
+/// distance, and those of the attributes of the points. `ids` are the ids of all circles (CircleAttributes::ids); if
+/// there are none, there is no column circle_id.
+/// Errors: badInput if the numbers of points, results and attributes differ; notWritten if the stream fails.
+Result<void> writeFoundCsv(std::ostream& out, std::span<const Circle> points, const CircleAttributes& attributes,
+                           std::span<const Found> found, std::span<const std::string> ids = {});
 
 /// Writes a diagram in the project's JSON format, version 1 (README). It records whether radii are weights.
 ///

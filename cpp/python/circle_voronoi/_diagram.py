@@ -46,10 +46,10 @@ METRICS = ("circles", "centers", "power")
 FIT_METRICS = ("circles", "power")
 METHODS = ("auto", "touching-disc", "flip")
 CANDIDATES = ("dynamic", "uniform", "all-pairs")
-FORMATS = ("json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj")
+FORMATS = ("json", "csv", "cells", "svg", "geojson", "geojsonl", "wkt", "obj")
 # The formats that are not clipped to bounds, and those that say more about circles than x, y and r.
 _UNCLIPPED = ("json", "csv")
-_ATTRIBUTED = ("json", "geojson", "geojsonl")
+_ATTRIBUTED = ("json", "cells", "geojson", "geojsonl")
 _XYR = ("x", "y", "r")
 
 
@@ -524,7 +524,7 @@ class Diagram:
 
         Parameters
         ----------
-        format : {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj"}
+        format : {"json", "csv", "cells", "svg", "geojson", "geojsonl", "wkt", "obj"}
         bounds, region, max_distance, tolerance : optional
             See `polygons`. The formats json and csv take none of them.
         digits : int, optional

@@ -42,7 +42,8 @@ ColumnNames::ColumnNames(const ReadOptions& options)
     : own_{options.x, options.y, options.radius},
       id_(options.id.empty() ? "id" : options.id),
       hasId_(!options.id.empty()),
-      radii_(options.radii) {}
+      radii_(options.radii),
+      weights_(options.weights) {}
 
 std::optional<std::size_t> ColumnNames::rank(std::size_t k, std::string_view name) const {
   if (k == kRadius && radii_ == Radii::none) return std::nullopt;
@@ -83,6 +84,15 @@ std::string ColumnNames::plain(std::size_t k) { return std::string(kNames[k].fro
 OptionAdvice ColumnNames::advice(std::string before, std::size_t k) {
   const std::string option(kOptions[k]);
   return {std::move(before), "the option " + option, ".", option};
+}
+
+ReadError ColumnNames::withoutRadius(ReadError failure) const {
+  if (weights_ || isGiven(kRadius)) {
+    failure.reason += ".";
+  } else {
+    failure.advice = {"; make all radii 0 by ", "the option points", ".", "points"};
+  }
+  return failure;
 }
 
 }  // namespace circle_voronoi

@@ -9,6 +9,7 @@
 
 #include "circle_voronoi/io.h"
 #include "named_option.h"
+#include "text.h"
 
 namespace circle_voronoi {
 
@@ -43,6 +44,8 @@ class ColumnNames {
   std::optional<std::size_t> columnNumber(std::size_t k) const { return numberIn(own_[k]); }
   /// Returns the column of the id, from 1, if its option is "#1", "#2", ...
   std::optional<std::size_t> columnOfId() const { return numberIn(id_); }
+  /// Returns whether the user has named number k.
+  bool isGiven(std::size_t k) const { return !own_[k].empty(); }
   /// Returns whether the user gave any name.
   bool areGiven() const { return !missing(0).empty(); }
   /// Returns the first name given by the user that is not the number of one of `columns` columns, or an empty string.
@@ -58,6 +61,8 @@ class ColumnNames {
   static std::string plain(std::size_t k);
   /// Returns advice to name the column of number k by its option: `before`, "the option x" and a full stop.
   static OptionAdvice advice(std::string before, std::size_t k);
+  /// Ends the sentence about a missing radius: with advice to do without radii, where that is possible.
+  ReadError withoutRadius(ReadError failure) const;
 
  private:
   static std::optional<std::size_t> numberIn(std::string_view option);
@@ -66,6 +71,7 @@ class ColumnNames {
   std::string id_;
   bool hasId_;
   Radii radii_;
+  bool weights_;
 };
 
 }  // namespace circle_voronoi

@@ -14,6 +14,7 @@
 #include "csv_table.h"
 #include "text.h"
 #include "validate.h"
+#include "wkt_points.h"
 
 namespace circle_voronoi {
 namespace {
@@ -67,9 +68,59 @@ bool isNumber(const CsvField& field, char separator) {
 
 /// The columns of x, y and r.
 struct Columns {
-  std::array<std::size_t, ColumnNames::kCount> places;  ///< kNoColumn for r if all are 0
-  bool areNamed;                                        ///< whether the first record is a header
+  std::array<std::size_t, ColumnNames::kCount> places;  ///< see CsvLayout::columns
+  std::optional<std::size_t> points;
+  bool areNamed;  ///< whether the first record is a header
 };
+
+/// A column of points as well-known text.
+struct PointColumn {
+  std::size_t place;
+  bool isInFirstRecord;  ///< whether there is no header
+};
+
+/// Returns the column of the first field in a table that is a point; nothing if no field is one.
+std::optional<PointColumn> pointColumn(CsvTable table) {
+  const std::size_t width = table.fields().size();
+  const auto placeIn = [&]() -> std::optional<std::size_t> {
+    std::optional<std::size_t> found;
+    for (std::size_t k = 0; k < std::min(width, table.fields().size()); ++k) {
+      if (!wktPoints(textOf(table.fields()[k]))) continue;
+      if (found) {
+        throw ReadError{table.offset(), "there are two columns of points, #" + std::to_string(*found + 1) + " and #" +
+                                            std::to_string(k + 1) + "; leave one out."};
+      }
+      found = k;
+    }
+    return found;
+  };
+  // Quotation marks may mean something else with another separator.
+  const auto next = [&] {
+    try {
+      return table.next();
+    } catch (const ReadError&) {
+      return false;
+    }
+  };
+  bool isFirst = true;
+  do {
+    if (const auto place = placeIn()) return PointColumn{*place, isFirst};
+    isFirst = false;
+  } while (next());
+  return std::nullopt;
+}
+
+/// Takes column k for a number. Throws ReadError if the number has a column.
+void takeColumn(Columns& columns, const CsvTable& table, std::size_t number, std::size_t k) {
+  std::size_t& place = columns.places[number];
+  if (place != kNoColumn) {
+    throw ReadError{.offset = table.offset(),
+                    .reason = "the columns " + textOf(table.fields()[place]) + " and " + textOf(table.fields()[k]) +
+                              " both mean " + ColumnNames::plain(number),
+                    .advice = ColumnNames::advice("; choose one by ", number)};
+  }
+  place = k;
+}
 
 /// The columns that a header names or whose numbers are given; nothing if some that are needed are neither.
 std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names) {
@@ -81,13 +132,7 @@ std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names
     std::size_t& place = columns.places[number];
     for (std::size_t k = 0; k < fields.size(); ++k) {
       if (!names.means(number, textOf(fields[k]))) continue;
-      if (place != kNoColumn) {
-        throw ReadError{.offset = table.offset(),
-                        .reason = "the columns " + textOf(fields[place]) + " and " + textOf(fields[k]) + " both mean " +
-                                  ColumnNames::plain(number),
-                        .advice = ColumnNames::advice("; choose one by ", number)};
-      }
-      place = k;
+      takeColumn(columns, table, number, k);
       columns.areNamed = true;
     }
     if (place == kNoColumn) {
@@ -102,6 +147,25 @@ std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names
   }
   columns.areNamed = columns.areNamed || !areNumbers;
   return columns;
+}
+
+/// The columns of points as well-known text and of r, for a table without columns of x and y.
+std::optional<Columns> columnsWithPoints(const CsvTable& table, const ColumnNames& names) {
+  const auto points = pointColumn(table);
+  if (!points) return std::nullopt;
+  Columns columns{};
+  columns.places.fill(kNoColumn);
+  columns.points = points->place;
+  columns.areNamed = !points->isInFirstRecord;
+  constexpr std::size_t kRadius = ColumnNames::kRadius;
+  const Fields fields = table.fields();
+  for (std::size_t k = 0; columns.areNamed && k < fields.size(); ++k) {
+    if (names.means(kRadius, textOf(fields[k]))) takeColumn(columns, table, kRadius, k);
+  }
+  std::size_t& radius = columns.places[kRadius];
+  const auto numbered = names.columnNumber(kRadius);
+  if (radius == kNoColumn && numbered && *numbered <= fields.size()) radius = *numbered - 1;
+  return radius == kNoColumn && names.isNeeded(kRadius) ? std::nullopt : std::optional(columns);
 }
 
 /// Returns whether the first record is a circle: x, y and r, or x and y if no radius is needed.
@@ -124,6 +188,18 @@ std::string listOfFields(Fields fields) {
   return list;
 }
 
+/// Returns whether the record after a header has a number beside x, y and the id.
+bool hasOtherNumbers(CsvTable table, const ColumnNames& names) {
+  std::vector<std::string> header;
+  for (const CsvField& field : table.fields()) header.push_back(textOf(field));
+  if (!table.next()) return true;
+  for (std::size_t k = 0; k < std::min(header.size(), table.fields().size()); ++k) {
+    const bool isKnown = names.means(0, header[k]) || names.means(1, header[k]) || names.isId(header[k]);
+    if (!isKnown && isNumber(table.fields()[k], table.separator())) return true;
+  }
+  return false;
+}
+
 /// Returns the reason why the first record is neither a header nor a circle.
 ReadError problemOf(const CsvTable& table, const ColumnNames& names) {
   const auto problem = [&](std::string reason, OptionAdvice advice = {}) {
@@ -131,11 +207,19 @@ ReadError problemOf(const CsvTable& table, const ColumnNames& names) {
   };
   const Fields fields = filled(table.fields());
   const auto isANumber = [&](const CsvField& field) { return isNumber(field, table.separator()); };
-  if (fields.size() > 1 && std::ranges::none_of(fields, isANumber)) {
-    for (std::size_t number = 0; number < ColumnNames::kCount; ++number) {
+  const auto points = names.isGiven(0) || names.isGiven(1) ? std::nullopt : pointColumn(table);
+  if (points && points->isInFirstRecord) {
+    return names.withoutRadius(problem("the points have no radius"));
+  }
+  if ((points || fields.size() > 1) && std::ranges::none_of(fields, isANumber)) {
+    for (std::size_t number = points ? ColumnNames::kRadius : 0; number < ColumnNames::kCount; ++number) {
       if (std::ranges::none_of(fields, [&](const CsvField& field) { return names.means(number, field.text); })) {
-        return problem("no column is called " + names.listOf(number) + ", only " + listOfFields(fields),
-                       ColumnNames::advice("; name one by ", number));
+        ReadError failure = problem("no column is called " + names.listOf(number) + ", only " + listOfFields(fields));
+        if (number == ColumnNames::kRadius && !hasOtherNumbers(table, names)) {
+          return names.withoutRadius(std::move(failure));
+        }
+        failure.advice = ColumnNames::advice("; name one by ", number);
+        return failure;
       }
     }
   }
@@ -148,7 +232,13 @@ ReadError problemOf(const CsvTable& table, const ColumnNames& names) {
     return problem("there are " + std::to_string(fields.size()) +
                    " columns; a header has to name x, y and r, or options as #1, #2 and #3.");
   }
-  if (fields.size() < 3) return problem(numbersExpected(table.separator()));
+  if (fields.size() < 3) {
+    std::string reason = numbersExpected(table.separator());
+    const bool arePoints = fields.size() == 2 && std::ranges::all_of(fields, isANumber);
+    if (!arePoints) return problem(std::move(reason));
+    reason.pop_back();  // the full stop
+    return names.withoutRadius(problem(std::move(reason)));
+  }
   double value = 0;
   CsvNumberReader reader(table.separator());
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -179,6 +269,8 @@ CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& column
   layout.mayBeShort = true;
   layout.width = table.fields().size();
   layout.columns = columns->places;
+  layout.points = columns->points;
+  if (layout.points) layout.names[0] = nameOfColumn(table, *layout.points, layout.hasHeader);
   if (const auto id = names.columnOfId(); id && *id <= layout.width) {
     layout.id = *id - 1;
     layout.idName = nameOfColumn(table, *layout.id, layout.hasHeader);
@@ -205,13 +297,23 @@ CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& column
   return layout;
 }
 
+/// The separators that a text may have: the one that it names, or all.
+std::string separatorsOf(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  const char named = begin == text.npos ? '\0' : separatorIn(text.substr(begin));
+  if (named == 0) return std::string(kSeparators);
+  if (kSeparators.find(named) != kSeparators.npos) return {named};
+  throw ReadError{begin, std::string("sep=") + named +
+                             " names no separator; these are commas, semicolons, tabs, vertical bars and spaces."};
+}
+
 /// Returns the layout that `layout` finds with the first record and the first separator for which there is one; nothing
 /// if there is no record. Throws ReadError `problem`, with the widest first record, if no separator gives a layout.
 template <class Layout, class Problem>
 std::optional<CsvLayout> layoutBySeparator(std::string_view text, bool isWhole, Layout layout, Problem problem) {
   std::optional<ReadError> failure;
   std::optional<CsvTable> widest;
-  for (const char separator : kSeparators) {
+  for (const char separator : separatorsOf(text)) {
     CsvTable table(text, separator, isWhole);
     try {
       if (!table.next()) return std::nullopt;
@@ -256,7 +358,21 @@ std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& opti
     if (!columns && (names.areGiven() || !isCircle(table, names))) return std::nullopt;
     return layoutFrom(table, columns, names, isOfTile);
   };
-  return layoutBySeparator(text, isWhole, layout, [&](const CsvTable& table) { return problemOf(table, names); });
+  try {
+    return layoutBySeparator(text, isWhole, layout, [&](const CsvTable& table) { return problemOf(table, names); });
+  } catch (const ReadError&) {
+    if (isOfTile || names.isGiven(0) || names.isGiven(1)) throw;
+    for (const char separator : separatorsOf(text)) {
+      CsvTable table(text, separator);
+      try {
+        (void)table.next();
+      } catch (const ReadError&) {
+        continue;
+      }
+      if (const auto columns = columnsWithPoints(table, names)) return layoutFrom(table, columns, names, isOfTile);
+    }
+    throw;
+  }
 }
 
 ParsedRows readCsvRows(std::string_view text, std::span<const std::string> columns) {
@@ -353,22 +469,39 @@ void CsvRowReader::readCircle(const CsvTable& table, FieldOf fieldOf, ParsedCirc
     throw ReadError{table.offset(), std::move(reason), code, next_};
   };
   std::array<double, 3> values{};
-  for (std::size_t i = 0; i < values.size() && layout_.columns[i] != kNoColumn; ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (layout_.columns[i] == kNoColumn) continue;
     const CsvField field = fieldOf(layout_.columns[i]);
     if (const auto problem = numbers_.read(field, values[i])) fail(layout_.names[i] + *problem);
     if (!std::isfinite(values[i])) {
       fail(layout_.names[i] + quoting(" is not a finite number", field), ErrorCode::nonFinite);
     }
   }
-  const Circle circle = {values[0], values[1], values[2]};
-  if (skipsInvalid_) {  // otherwise `validate` reports it, with the index in the whole text
+  const auto check = [&](const Circle& circle) {
+    if (!skipsInvalid_) return;  // `validate` reports it, with the index in the whole text
     if (const auto error = errorOf(circle, weights_)) {
       fail("Circle " + std::to_string(next_) + " " + error->what, error->code);
     }
+  };
+  const auto add = [&](const Circle& circle) {
+    circles.circles.push_back(circle);
+    circles.offsets.push_back(table.offset());
+  };
+  if (!layout_.points) {
+    const Circle circle = {values[0], values[1], values[2]};
+    check(circle);
+    if (isOfTile_) readNames(table, fieldOf, circles);
+    return add(circle);
   }
-  if (isOfTile_) readNames(table, fieldOf, circles);
-  circles.circles.push_back(circle);
-  circles.offsets.push_back(table.offset());
+  const CsvField field = fieldOf(*layout_.points);
+  const auto points = wktPoints(textOf(field));
+  if (!points) fail(layout_.names[0] + quoting(" is no POINT or MULTIPOINT", field));
+  if (!points->srid.empty() && !srid_.empty() && points->srid != srid_) {
+    fail("the SRID is " + points->srid + ", but that of the rows before it is " + srid_ + ".");
+  }
+  for (const Point& p : points->points) check({p.x, p.y, values[2]});
+  if (!points->srid.empty()) srid_ = points->srid;
+  for (const Point& p : points->points) add({p.x, p.y, values[2]});
 }
 
 template <class FieldOf>
@@ -424,6 +557,7 @@ Result<ParsedFile> readCsv(std::string_view text, std::string_view name, const R
   CsvRowReader rows(*layout, options);
   rows.read(text, result.parsed);
   if (keep == Keep::attributes) result.attributes = attributesOf(text, *layout, rows.decimalMark(), rows.skipped());
+  if (!rows.srid().empty()) result.crs = "EPSG:" + rows.srid();
   result.areDegrees = areDegrees(layout->names[0], layout->names[1]);
   result.skipped = rows.skipped();
   return result;

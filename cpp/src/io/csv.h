@@ -41,11 +41,14 @@ struct CsvLayout {
   bool hasHeader = false;
   bool mayBeShort = false;  ///< whether rows may end before the last column
   std::size_t width = 3;
-  std::array<std::size_t, 3> columns = {0, 1, 2};      ///< of x, y and r; kNoColumn for r if all radii are 0
-  std::array<std::string, 3> names = {"x", "y", "r"};  ///< the names of these columns in the header
-  std::optional<std::size_t> id;                       ///< the column of the ids
-  std::string idName;                                  ///< its name in the header
-  std::optional<std::size_t> done;                     ///< of a tile (tile.h)
+  /// The columns of x, y and r; kNoColumn for r if all radii are 0, and for x and y if `points` is given.
+  std::array<std::size_t, 3> columns = {0, 1, 2};
+  std::optional<std::size_t> points;  ///< the column of points as well-known text
+  /// The names of these columns in the header; that of `points`, if it is given, in place of x.
+  std::array<std::string, 3> names = {"x", "y", "r"};
+  std::optional<std::size_t> id;    ///< the column of the ids
+  std::string idName;               ///< its name in the header
+  std::optional<std::size_t> done;  ///< of a tile (tile.h)
 };
 
 /// Returns the layout that makes the first record a header or a circle; nothing if there is no record. See CsvTable for
@@ -72,6 +75,8 @@ class CsvRowReader {
   const std::vector<ReadError>& skipped() const { return skipped_; }
   /// The decimal mark of x, y and r; 0 if they had none.
   char decimalMark() const { return numbers_.mark(); }
+  /// The number of the reference system that the points name (EWKT); empty if they name none.
+  const std::string& srid() const { return srid_; }
 
  private:
   static constexpr std::int64_t kMostId = std::numeric_limits<std::int64_t>::max();
@@ -89,6 +94,7 @@ class CsvRowReader {
   bool isPastHeader_ = false;
   std::int64_t next_ = 0;
   std::vector<ReadError> skipped_;
+  std::string srid_;
 };
 
 /// A field as text: without the doubling of quotation marks.

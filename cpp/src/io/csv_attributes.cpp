@@ -12,6 +12,7 @@
 #include "members.h"
 #include "text.h"
 #include "utf8.h"
+#include "wkt_points.h"
 
 namespace circle_voronoi {
 namespace {
@@ -102,7 +103,7 @@ class DifferentNames {
 void checkUtf8(std::string_view text, std::size_t offset) {
   while (!text.empty()) {
     const std::size_t size = sizeOfUtf8(text);
-    if (size == 0) throw ReadError{offset, "the text is not UTF-8."};
+    if (size == 0) throw ReadError{offset, std::string("the text is ") + kNotUtf8};
     text.remove_prefix(size);
   }
 }
@@ -151,11 +152,11 @@ CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, ch
   (void)header.next();
   for (std::size_t k = 0; k < header.fields().size(); ++k) {
     std::string name = nameOfColumn(header, k, layout.hasHeader);
-    if (std::ranges::find(layout.columns, k) != layout.columns.end()) continue;
+    if (k == layout.points || std::ranges::find(layout.columns, k) != layout.columns.end()) continue;
     checkUtf8(name, header.offset());
     columns.push_back({k, names.add(name), {mark != ',', mayBeComma}});
   }
-  if (columns.empty()) return result;
+  if (columns.empty() && !layout.points) return result;
   for (Rows rows(text, layout, skipped); rows.next();) {
     for (Column& column : columns) column.type.add(rows.field(column.index));
   }
@@ -167,16 +168,28 @@ CircleAttributes attributesOf(std::string_view text, const CsvLayout& layout, ch
   const auto height = std::ranges::find_if(columns, [](const Column& column) { return isSameName(column.name, "z"); });
   const bool hasHeights = height != columns.end() && height->type.isNumeric();
   for (Rows rows(text, layout, skipped); rows.next();) {
+    WktPoints points = {.points = {}, .heights = {""}, .srid = ""};
+    if (layout.points) points = *wktPoints(textOf(rows.field(*layout.points)));
     Members members;
+    std::string id;
     for (const Column& column : columns) {
       const std::string value = column.type.value(rows.field(column.index));
       checkUtf8(value, rows.offset());
-      if (column.index == layout.id) result.ids.push_back(isIdValue(value) ? value : "");
-      if (hasHeights && column.index == height->index) result.heights.push_back(value == "null" ? "" : value);
+      if (column.index == layout.id && isIdValue(value)) id = value;
+      if (hasHeights && column.index == height->index) {
+        for (std::string& its : points.heights) its = value == "null" ? "" : value;
+      }
       members.add(column.name, value);
     }
-    result.properties.push_back(members.take());
+    const std::string properties = members.take();
+    // Each point of a MULTIPOINT is a circle.
+    for (std::string& its : points.heights) {
+      if (!columns.empty()) result.properties.push_back(properties);
+      if (layout.id) result.ids.push_back(id);
+      if (hasHeights || layout.points) result.heights.push_back(std::move(its));
+    }
   }
+  if (std::ranges::all_of(result.heights, &std::string::empty)) result.heights.clear();
   return result;
 }
 

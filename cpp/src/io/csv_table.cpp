@@ -3,15 +3,25 @@
 
 #include <algorithm>
 
+#include "column_names.h"
 #include "text.h"
 
 namespace circle_voronoi {
+
+char separatorIn(std::string_view line) {
+  line = line.substr(0, line.find_first_of("\r\n"));
+  const std::size_t end = line.find_last_not_of(' ');
+  line = line.substr(0, end == line.npos ? 0 : end + 1);
+  if (line.size() == 7 && line.front() == '"' && line.back() == '"') line = line.substr(1, 5);
+  const bool isOne = line.size() == 5 && isSameName(line.substr(0, 4), "sep=");
+  return isOne ? line[4] : '\0';
+}
 
 bool CsvTable::next() {
   while (!isAtEnd()) {
     begin_ = at_;
     skipBlanks();
-    const bool isComment = !isAtEnd() && text_[at_] == '#';
+    const bool isComment = !isAtEnd() && (text_[at_] == '#' || separatorIn(text_.substr(at_)) != 0);
     if (isComment) {
       skipLine();
     } else {

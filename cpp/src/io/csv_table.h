@@ -29,8 +29,11 @@ struct CsvField {
 /// The largest size of a record or a comment, in bytes: a stream keeps a whole record in memory.
 inline constexpr std::size_t kLongestRecord = std::size_t{1} << 26;
 
+/// Returns the separator that the first line of a text names for Excel, as `sep=;`; 0 if it names none.
+char separatorIn(std::string_view text);
+
 /// Splits a text into records (RFC 4180), one a line but for line ends in quotation marks. Lines that are blank, hold
-/// separators alone, or begin with # are passed over.
+/// separators alone, name the separator, or begin with # are passed over.
 class CsvTable {
  public:
   /// A space as the separator stands for any number of spaces and tabs. If the text is not whole, more text may follow.

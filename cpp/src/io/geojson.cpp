@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "circle_members.h"
 #include "column_names.h"
@@ -29,31 +33,36 @@ void readType(JsonReader& reader, std::optional<std::string>& type) {
   readLast(reader, type, JsonKind::string, [&] { return std::string(reader.string()); });
 }
 
-/// The coordinates of a geometry, as far as a circle needs them: a position, or the first of several.
+struct Position {
+  Point point;
+  std::string height;  ///< the third number; empty if there is none
+  int numbers = 0;     ///< up to two
+};
+
+/// The coordinates of a geometry, as far as circles need them: a position, or a list of positions.
 struct Coordinates {
-  double x = 0;
-  double y = 0;
-  std::string height;
-  int numbers = 0;    ///< the numbers of the position, up to two
-  int positions = 0;  ///< in a list of positions
+  Position first;
+  std::vector<Position> others;
   bool isList = false;
   bool isEmpty = true;
 };
 
 /// Reads the rest of a position that has been entered.
-void readPosition(JsonReader& reader, std::string_view text, Coordinates& to) {
+Position readPosition(JsonReader& reader, std::string_view text, bool& isEmpty) {
+  Position to;
   for (int count = 0; reader.nextItem(); ++count) {
-    to.isEmpty = false;
+    isEmpty = false;
     const bool isNumber = reader.kind() == JsonKind::number;
     const std::size_t begin = reader.offset();
     if (count < 2 && isNumber && to.numbers == count) {
-      (count == 0 ? to.x : to.y) = reader.number();
+      (count == 0 ? to.point.x : to.point.y) = reader.number();
       ++to.numbers;
     } else {
       reader.skip();
       if (count == 2 && isNumber) to.height = text.substr(begin, reader.offset() - begin);
     }
   }
+  return to;
 }
 
 Coordinates readCoordinates(JsonReader& reader, std::string_view text) {
@@ -64,19 +73,31 @@ Coordinates readCoordinates(JsonReader& reader, std::string_view text) {
   reader.goTo(before);
   reader.enterArray();
   if (!result.isList) {
-    readPosition(reader, text, result);
+    result.first = readPosition(reader, text, result.isEmpty);
     return result;
   }
-  for (; reader.nextItem(); ++result.positions) {
+  for (bool isFirst = true; reader.nextItem(); isFirst = false) {
     result.isEmpty = false;
-    if (result.positions == 0) {
+    Position position;
+    if (reader.kind() == JsonKind::array) {
       reader.enterArray();
-      readPosition(reader, text, result);
+      position = readPosition(reader, text, result.isEmpty);
     } else {
       reader.skip();
     }
+    if (isFirst) {
+      result.first = std::move(position);
+    } else {
+      result.others.push_back(std::move(position));
+    }
   }
   return result;
+}
+
+bool isGeometry(std::string_view type) {
+  constexpr auto kTypes = std::to_array<std::string_view>(
+      {"Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon", "GeometryCollection"});
+  return std::ranges::find(kTypes, type) != kTypes.end();
 }
 
 struct Geometry {
@@ -99,7 +120,7 @@ Geometry readGeometry(JsonReader& reader, std::string_view text) {
   return geometry;
 }
 
-/// Returns the reason why a geometry is not one point; empty if it is one.
+/// Returns the reason why a geometry is not points; empty if it is.
 std::string problemOf(const std::optional<Geometry>& geometry) {
   if (!geometry) return " has no geometry.";
   if (!geometry->type) return " has a geometry without a type.";
@@ -107,31 +128,41 @@ std::string problemOf(const std::optional<Geometry>& geometry) {
   if (type != "Point" && type != "MultiPoint") return " is a " + type + "; a circle needs a Point.";
   const auto& coordinates = geometry->coordinates;
   if (coordinates && coordinates->isEmpty) return " is an empty " + type + ".";
-  if (type == "MultiPoint" && coordinates && coordinates->isList && coordinates->positions > 1) {
-    return " is a MultiPoint of " + std::to_string(coordinates->positions) + " points; a circle needs one Point.";
-  }
-  const bool isPosition = coordinates && coordinates->isList == (type == "MultiPoint") && coordinates->numbers == 2;
-  return isPosition ? "" : " is a " + type + " without two numbers as its coordinates.";
+  const auto isRight = [](const Position& position) { return position.numbers == 2; };
+  const bool arePositions = coordinates && coordinates->isList == (type == "MultiPoint") &&
+                            isRight(coordinates->first) && std::ranges::all_of(coordinates->others, isRight);
+  return arePositions ? "" : " is a " + type + " without two numbers as its coordinates.";
 }
 
-/// Reads the features of a collection.
+/// Reads features: those of a collection, or a text of features and geometries.
 class FeatureReader {
  public:
   FeatureReader(JsonReader& reader, std::string_view text, const ReadOptions& options, Keep keep)
       : reader_(reader), text_(text), names_(options), keep_(keep), items_(options, keep) {}
 
-  ParsedFile read() {
+  ParsedFile readCollection() {
     std::int64_t index = 0;
-    items_.read(reader_, [&](ItemReader::Item& item) { readFeature(item, index++); });
+    items_.read(reader_, [&](ItemReader::Item& item) { readFeature(item, index++, false); });
+    return items_.take();
+  }
+
+  ParsedFile readLines() {
+    for (std::int64_t index = 0; reader_.hasMore(); ++index) {
+      items_.readOne(reader_, index, [&](ItemReader::Item& item) { readFeature(item, index, true); });
+    }
     return items_.take();
   }
 
  private:
-  void readFeature(ItemReader::Item& item, std::int64_t index) {
+  void readFeature(ItemReader::Item& item, std::int64_t index, bool mayBeGeometry) {
     std::optional<std::string> type;
     std::optional<Geometry> geometry;
     std::optional<CircleMembers> properties;
-    const auto failAsNone = [&] { reader_.fail("an item of the list of features is no Feature."); };
+    std::optional<Coordinates> own;
+    const auto failAsNone = [&] {
+      reader_.fail(mayBeGeometry ? "expected a Feature, a Point or a MultiPoint."
+                                 : "an item of the list of features is no Feature.");
+    };
     if (reader_.kind() != JsonKind::object) {
       reader_.skip();  // so that the error points to the end of the value
       failAsNone();
@@ -151,23 +182,31 @@ class FeatureReader {
       } else if (*key == "id") {
         const std::string value = rawValue(reader_, text_);
         item.id = isIdValue(value) ? value : "";
+      } else if (*key == "coordinates") {
+        readLast(reader_, own, JsonKind::array, [&] { return readCoordinates(reader_, text_); });
       } else {
         reader_.skip();
       }
     }
+    if (mayBeGeometry && type && isGeometry(*type)) {
+      geometry = {*type, std::move(own)};
+      type = "Feature";
+    }
     if (type != "Feature") failAsNone();
     if (names_.hasId() && properties) item.id = properties->id();
-    const auto fail = [&](const std::string& problem) {
+    const auto failure = [&](const std::string& problem) {
       const std::string id = item.id.empty() ? "" : " (id " + item.id + ")";
-      reader_.fail("feature " + std::to_string(index) + id + problem);
+      return reader_.failure("feature " + std::to_string(index) + id + problem);
     };
-    if (const std::string problem = problemOf(geometry); !problem.empty()) fail(problem);
+    if (const std::string problem = problemOf(geometry); !problem.empty()) throw failure(problem);
     const double* r = properties ? properties->number(ColumnNames::kRadius) : nullptr;
     if (r == nullptr && names_.isNeeded(ColumnNames::kRadius)) {
-      fail(" has no number as its property " + names_.listOf(ColumnNames::kRadius) + ".");
+      throw names_.withoutRadius(failure(" has no number as its property " + names_.listOf(ColumnNames::kRadius)));
     }
-    item.circle = {geometry->coordinates->x, geometry->coordinates->y, r == nullptr ? 0 : *r};
-    item.height = geometry->coordinates->height;
+    auto& [first, others, isList, isEmpty] = *geometry->coordinates;
+    item.circle = {first.point.x, first.point.y, r == nullptr ? 0 : *r};
+    item.height = std::move(first.height);
+    for (Position& position : others) item.others.emplace_back(position.point, std::move(position.height));
     if (properties) item.properties = properties->others();
   }
 
@@ -177,6 +216,21 @@ class FeatureReader {
   Keep keep_;
   ItemReader items_;
 };
+
+/// Returns whether a text is not a collection, but a Feature or a geometry, or several of these.
+bool isLines(JsonReader reader) {
+  std::optional<std::string> type;
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    if (*key == "features") return false;
+    if (*key == "type") {
+      readType(reader, type);
+    } else {
+      reader.skip();
+    }
+  }
+  return type && (*type == "Feature" || isGeometry(*type));
+}
 
 }  // namespace
 
@@ -190,6 +244,8 @@ Result<ParsedFile> readGeoJson(std::string_view text, std::string_view name, con
     return error;
   }
   JsonReader reader(text);
+  (void)reader.hasMore();
+  if (isLines(reader)) return FeatureReader(reader, text, options, keep).readLines();
   std::optional<std::string> type;
   std::optional<ParsedFile> circles;
   MemberList others;
@@ -198,7 +254,8 @@ Result<ParsedFile> readGeoJson(std::string_view text, std::string_view name, con
     if (*key == "type") {
       readType(reader, type);
     } else if (*key == "features") {
-      readLast(reader, circles, JsonKind::array, [&] { return FeatureReader(reader, text, options, keep).read(); });
+      readLast(reader, circles, JsonKind::array,
+               [&] { return FeatureReader(reader, text, options, keep).readCollection(); });
     } else if (*key == "bbox") {
       reader.skip();  // of points; the output may have another one
     } else {
@@ -208,7 +265,7 @@ Result<ParsedFile> readGeoJson(std::string_view text, std::string_view name, con
   }
   reader.finish();
   if (type != "FeatureCollection") {
-    return errorAt(name, text, 0, "expected an array of circles or a GeoJSON FeatureCollection.");
+    return errorAt(name, text, 0, "expected an array of circles, or a GeoJSON FeatureCollection or Feature.");
   }
   if (!circles) return errorAt(name, text, 0, "a FeatureCollection has no list of features.");
   if (keep == Keep::attributes) circles->attributes.collection = membersOf(others);

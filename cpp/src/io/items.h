@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/point.h"
 #include "json_reader.h"
 #include "text.h"
 #include "validate.h"
@@ -21,6 +23,8 @@ class ItemReader {
     std::string properties = {};
     std::string id = {};
     std::string height = {};
+    /// The other points of a MultiPoint, each with its height: circles with the same radius and attributes.
+    std::vector<std::pair<Point, std::string>> others = {};
   };
 
   ItemReader(const ReadOptions& options, Keep keep)
@@ -30,32 +34,34 @@ class ItemReader {
   template <class ReadItem>
   void read(JsonReader& reader, ReadItem readItem) {
     reader.enterArray();
-    for (std::int64_t index = 0; reader.nextItem(); ++index) {
-      Item item;
-      if (!skipsInvalid_) {
-        try {
-          readItem(item);
-        } catch (ReadError& failure) {
-          failure.circle = index;
-          throw;
-        }
-        add(std::move(item), reader.offset());
-        continue;
-      }
-      const auto before = reader.place();
+    for (std::int64_t index = 0; reader.nextItem(); ++index) readOne(reader, index, readItem);
+  }
+
+  /// Reads the item that comes next; see `read`.
+  template <class ReadItem>
+  void readOne(JsonReader& reader, std::int64_t index, ReadItem readItem) {
+    Item item;
+    if (!skipsInvalid_) {
       try {
         readItem(item);
-        if (const auto error = errorOf(item.circle, weights_)) {
-          throw ReadError{reader.offset(), "Circle " + std::to_string(index) + " " + error->what, error->code};
-        }
-        add(std::move(item), reader.offset());
       } catch (ReadError& failure) {
         failure.circle = index;
-        result_.skipped.push_back(failure);
-        // A text that is not JSON cannot be skipped.
-        reader.goTo(before);
-        reader.skip();
+        throw;
       }
+      return add(std::move(item), reader.offset());
+    }
+    const auto before = reader.place();
+    try {
+      readItem(item);
+      check(item.circle, index, reader);
+      for (const auto& [point, height] : item.others) check({point.x, point.y, item.circle.r}, index, reader);
+      add(std::move(item), reader.offset());
+    } catch (ReadError& failure) {
+      failure.circle = index;
+      result_.skipped.push_back(failure);
+      // A text that is not JSON cannot be skipped.
+      reader.goTo(before);
+      reader.skip();
     }
   }
 
@@ -76,7 +82,22 @@ class ItemReader {
   }
 
  private:
+  void check(const Circle& circle, std::int64_t index, const JsonReader& reader) const {
+    if (const auto error = errorOf(circle, weights_)) {
+      throw ReadError{reader.offset(), "Circle " + std::to_string(index) + " " + error->what, error->code};
+    }
+  }
+
   void add(Item item, std::size_t offset) {
+    const auto others = std::move(item.others);
+    const Item first = others.empty() ? Item() : item;
+    addOne(std::move(item), offset);
+    for (const auto& [point, height] : others) {
+      addOne({{point.x, point.y, first.circle.r}, first.properties, first.id, height}, offset);
+    }
+  }
+
+  void addOne(Item item, std::size_t offset) {
     result_.parsed.circles.push_back(item.circle);
     result_.parsed.offsets.push_back(offset);
     if (keep_ == Keep::circles) return;

@@ -29,7 +29,9 @@ Circle readArray(JsonReader& reader, const ColumnNames& names) {
     ++count;
   }
   if (count < values.size() && names.isNeeded(count)) {
-    reader.fail("a circle has no " + ColumnNames::plain(count) + ".");
+    const std::string reason = "a circle has no " + ColumnNames::plain(count);
+    if (count != ColumnNames::kRadius) reader.fail(reason + ".");
+    throw names.withoutRadius(reader.failure(reason));
   }
   if (names.hasNoRadii()) values[ColumnNames::kRadius] = 0;
   return {values[0], values[1], values[2]};
@@ -42,7 +44,9 @@ Circle readObject(JsonReader& reader, std::string_view text, CircleMembers& memb
     if (const double* number = members.number(k)) {
       values[k] = *number;
     } else if (names.isNeeded(k)) {
-      reader.fail("a circle has no " + names.listOf(k) + ".");
+      const std::string reason = "a circle has no " + names.listOf(k);
+      if (k != ColumnNames::kRadius) reader.fail(reason + ".");
+      throw names.withoutRadius(reader.failure(reason));
     }
   }
   return {values[0], values[1], values[2]};

@@ -48,8 +48,6 @@ std::string_view nameOf(JsonKind kind) {
   return "";
 }
 
-void JsonReader::fail(const std::string& reason) const { throw ReadError{at_ == 0 ? 0 : at_ - 1, reason}; }
-
 void JsonReader::failSyntax(const std::string& expected) const {
   std::string found = "the end of the text";
   if (!isAtEnd()) {
@@ -142,7 +140,7 @@ void JsonReader::skipCharacter() {
   }
   if (static_cast<unsigned char>(c) < 0x20) throw ReadError{at_, "bad JSON: a string has a control character."};
   const std::size_t size = sizeOfUtf8(text_.substr(at_));
-  if (size == 0) throw ReadError{at_, "bad JSON: a string is not UTF-8."};
+  if (size == 0) throw ReadError{at_, std::string("bad JSON: a string is ") + kNotUtf8};
   at_ += size;
 }
 

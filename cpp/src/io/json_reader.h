@@ -92,9 +92,16 @@ class JsonReader {
 
   /// Only white space may follow.
   void finish();
+  /// Returns whether another text follows, as in JSON lines. Skips the record separators of RFC 8142.
+  bool hasMore() {
+    for (skipSpace(); !isAtEnd() && text_[at_] == '\x1E'; skipSpace()) ++at_;
+    return !isAtEnd();
+  }
 
   /// Throws ReadError with this reason, at the character last read.
-  [[noreturn]] void fail(const std::string& reason) const;
+  [[noreturn]] void fail(const std::string& reason) const { throw failure(reason); }
+  /// Returns the ReadError that `fail` throws.
+  ReadError failure(const std::string& reason) const { return {at_ == 0 ? 0 : at_ - 1, reason}; }
 
  private:
   static bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }

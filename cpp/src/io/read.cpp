@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "circle_voronoi/io.h"
+#include "crs.h"
 #include "guarded.h"
 #include "text.h"
+#include "utf8.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -15,18 +17,26 @@ Result<CircleFile> readFile(std::string_view text, std::string_view name, const 
     const auto content = contentOf(text, name);
     if (!content) return content.error();
     const std::string_view rest = content.value();
-    const char begin = rest[rest.find_first_not_of(" \t\r\n")];
+    const char begin = rest[rest.find_first_not_of(" \t\r\n\x1E")];
     auto read = begin == '['   ? readJson(rest, name, options, keep)
                 : begin == '{' ? readGeoJson(rest, name, options, keep)
                                : readCsv(rest, name, options, keep);
     if (!read) return read.error();
-    auto& [parsed, attributes, hasDegrees, skipped] = read.value();
+    auto& [parsed, attributes, hasDegrees, crs, skipped] = read.value();
+    if (!options.crs.empty()) crs = options.crs;
+    const auto urn = crsUrn(crs);
+    if (!crs.empty() && !urn) {
+      return Error{ErrorCode::badOption, kNone,
+                   "The reference system \"" + printable(crs) + "\" is not like EPSG:25832, nor a URN."};
+    }
+    if (urn && keep == Keep::attributes) setCrs(attributes.collection, *urn);
     // Only the reader knows the line of each circle.
     if (const auto judged = validate(parsed.circles, options.weights); !judged) {
       return errorAtCircle(judged.error(), parsed.offsets, name, rest);
     }
     const auto isInRange = [](const Circle& c) { return std::abs(c.x) <= 360 && std::abs(c.y) <= 90; };
-    const bool areDegrees = hasDegrees && std::ranges::all_of(parsed.circles, isInRange);
+    const bool namesDegrees = hasDegrees || (urn && isGeoJsonCrs(*urn));
+    const bool areDegrees = namesDegrees && std::ranges::all_of(parsed.circles, isInRange);
     CircleFile file = {std::move(parsed.circles), std::move(attributes), areDegrees, errorsAt(name, rest, skipped)};
     if (!file.circles.empty() || file.skipped.empty()) return file;
     Error error = file.skipped.front();

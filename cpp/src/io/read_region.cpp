@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "circle_voronoi/io.h"
 #include "guarded.h"
 #include "json_reader.h"
 #include "text.h"
+#include "wkt_reader.h"
 
 namespace circle_voronoi {
 namespace {
@@ -138,111 +137,72 @@ void readGeoJsonObject(JsonReader& reader, Polygons& polygons, int depth) {
   reader.fail("a " + type + " has no area; a region is a Polygon or a MultiPolygon.");
 }
 
-/// Reads well-known text: POLYGON or MULTIPOLYGON.
-class WktReader {
+/// Reads the polygons of well-known text: POLYGON, MULTIPOLYGON or a GEOMETRYCOLLECTION of these.
+class WktPolygonReader {
  public:
-  explicit WktReader(std::string_view text) : text_(text) {}
+  explicit WktPolygonReader(std::string_view text) : reader_(text) {}
 
   Polygons read() {
-    std::string word = nextWord();
-    if (word == "SRID") {
-      const std::size_t end = text_.find(';', at_);
-      if (end == std::string_view::npos) fail("expected ; after SRID.");
-      at_ = end + 1;
-      word = nextWord();
-    }
-    if (word != "POLYGON" && word != "MULTIPOLYGON") fail("expected GeoJSON, POLYGON or MULTIPOLYGON.");
-    std::string next = nextWord();
-    if (next == "Z" || next == "M" || next == "ZM") next = nextWord();
-    if (next == "EMPTY") fail("the region is empty.");
-    if (!next.empty()) fail("expected an opening parenthesis.");
-    if (word == "POLYGON") {
-      readPolygon();
-    } else {
-      readList([&] { readPolygon(); });
-    }
-    skipSpace();
-    if (at_ < text_.size() && text_[at_] == ';') ++at_;
-    skipSpace();
-    if (at_ != text_.size()) fail("expected nothing after the geometry.");
+    (void)reader_.srid();
+    readGeometry(0);
+    if (polygons_.points.empty()) reader_.fail("the region is empty.");
+    reader_.finish();
     return std::move(polygons_);
   }
 
  private:
+  void readGeometry(int depth) {
+    if (depth == kMostNested)
+      reader_.fail("collections are nested more than " + std::to_string(kMostNested) + " deep.");
+    const auto [type, hasHeight, isEmpty] = reader_.head();
+    const bool isPolygon = type == "POLYGON";
+    if (!(isPolygon || type == "MULTIPOLYGON" || type == "GEOMETRYCOLLECTION")) {
+      reader_.fail("expected GeoJSON, POLYGON or MULTIPOLYGON.");
+    }
+    if (isEmpty) return;
+    if (isPolygon) {
+      readPolygon();
+    } else if (type == "MULTIPOLYGON") {
+      reader_.readList([&] { readPolygon(); });
+    } else {
+      reader_.readList([&] { readGeometry(depth + 1); });
+    }
+  }
+
+  /// Rings may be EMPTY, and so may the polygon.
   void readPolygon() {
-    readList([&] {
-      readList([&] { readPosition(); });
-      polygons_.endRing();
+    const Polygons::Size before = polygons_.size();
+    bool isFirst = true;
+    bool hasOuter = false;
+    reader_.readList([&] {
+      const std::size_t count = polygons_.points.size();
+      reader_.readList([&] { readPosition(); });
+      const bool isEmpty = polygons_.points.size() == count;
+      if (isFirst) hasOuter = !isEmpty;
+      if (!isFirst && !isEmpty && !hasOuter) reader_.fail("a polygon has a hole, but no outer ring.");
+      isFirst = false;
+      if (!isEmpty) polygons_.endRing();
     });
-    polygons_.endPolygon();
+    if (polygons_.size().rings > before.rings) polygons_.endPolygon();
   }
 
   void readPosition() {
     Point p;
-    p.x = number();
-    p.y = number();
-    skipSpace();
-    while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != ')') {
-      (void)number();
-      skipSpace();
-    }
+    p.x = reader_.number();
+    p.y = reader_.number();
+    while (reader_.hasNumber()) (void)reader_.number();
     polygons_.points.push_back(p);
   }
 
-  template <class ReadItem>
-  void readList(ReadItem readItem) {
-    if (!accepts('(')) fail("expected an opening parenthesis.");
-    do {
-      readItem();
-    } while (accepts(','));
-    if (!accepts(')')) fail("expected a comma or a closing parenthesis.");
-  }
-
-  double number() {
-    skipSpace();
-    if (at_ < text_.size() && text_[at_] == '+') ++at_;
-    double value = 0;
-    const char* begin = text_.data() + at_;
-    const auto [end, code] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (code != std::errc()) fail("expected a number.");
-    at_ += static_cast<std::size_t>(end - begin);
-    return value;
-  }
-
-  bool accepts(char c) {
-    skipSpace();
-    if (at_ == text_.size() || text_[at_] != c) return false;
-    ++at_;
-    return true;
-  }
-
-  std::string nextWord() {
-    skipSpace();
-    std::string word;
-    for (; at_ < text_.size(); ++at_) {
-      const char c = text_[at_];
-      const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c;
-      if (upper < 'A' || upper > 'Z') break;
-      word += upper;
-    }
-    return word;
-  }
-
-  void skipSpace() { at_ = std::min(text_.find_first_not_of(" \t\n\v\f\r", at_), text_.size()); }
-
-  [[noreturn]] void fail(const char* reason) const { throw ReadError{at_, reason}; }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
+  WktReader reader_;
   Polygons polygons_;
 };
 
 Polygons readPolygons(std::string_view text) {
-  if (text[text.find_first_not_of(" \t\r\n")] != '{') return WktReader(text).read();
+  if (text[text.find_first_not_of(" \t\r\n\x1E")] != '{') return WktPolygonReader(text).read();
   Polygons polygons;
   JsonReader reader(text);
-  readGeoJsonObject(reader, polygons);
-  reader.finish();
+  while (reader.hasMore()) readGeoJsonObject(reader, polygons);
   return polygons;
 }
 
@@ -257,7 +217,12 @@ Result<Region> readRegion(std::string_view text, std::string_view name, const Re
       const auto [points, ringOffsets, polygonOffsets] = readPolygons(rest);
       auto region = Region::fromArrays(points, ringOffsets, polygonOffsets, options);
       if (region) return region;
-      return withPrefix(region.error(), std::string(name) + ": ");
+      Error error = withPrefix(region.error(), std::string(name) + ": ");
+      // Other errors are about coordinates, or name the option themselves.
+      if (!points.empty() && error.code == ErrorCode::badOption && error.option.name.empty() && !options.dissolve) {
+        append(error, {" Set ", "`dissolve`", " to repair it.", "dissolve"});
+      }
+      return error;
     } catch (const ReadError& failure) {
       return errorAt(name, rest, failure.offset, failure.reason);
     }

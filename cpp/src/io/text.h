@@ -38,6 +38,7 @@ struct ParsedFile {
   ParsedCircles parsed;
   CircleAttributes attributes;
   bool areDegrees = false;  ///< by the names of x and y
+  std::string crs = {};     ///< the reference system that a table names (ReadOptions); empty: none
   std::vector<ReadError> skipped;
 };
 

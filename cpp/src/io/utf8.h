@@ -10,6 +10,9 @@ namespace circle_voronoi {
 // Functions for text from outside. They stand in a header alone, so that the program can use them beside a shared
 // library, which hides all but its public functions.
 
+/// The end of a sentence about a text that is not UTF-8. Spreadsheets write Windows-1252.
+inline constexpr const char* kNotUtf8 = "not UTF-8, perhaps Windows-1252; save it as UTF-8.";
+
 /// Returns how many bytes the first character of a text has in UTF-8, or 0 if the text does not begin with one.
 inline std::size_t sizeOfUtf8(std::string_view text) {
   const auto byte = [&](std::size_t i) -> unsigned {

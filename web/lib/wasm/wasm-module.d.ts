@@ -202,6 +202,7 @@ interface WasmReadOptions {
   readonly weights: boolean
   readonly points: boolean
   readonly skipInvalid: boolean
+  readonly crs: string
   readonly x: string
   readonly y: string
   readonly radius: string
