@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <queue>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -208,12 +209,16 @@ class DiscSearch {
         const Vector along = vectorTo(from, to);
         const double size = length(along);
         const Vector direction = {along.x / size, along.y / size};
-        const std::int32_t before = k == rings[ring] ? rings[ring + 1] - 1 : k - 1;
-        // No disc inside touches a corner where the region is convex.
-        const bool isReflex = turn(vectorTo(here(points[at(before)]), from), along) < 0;
-        sides_.push_back({from, to, direction, size, points[at(k)], points[at(next)], isReflex});
+        sides_.push_back({from, to, direction, size, points[at(k)], points[at(next)]});
         things_.push_back({from, {-along.y / size, along.x / size}, 0, true});
         directions.add(direction, size);
+      }
+      const std::span<Side> sides = std::span(sides_).subspan(at(rings[ring]));
+      for (std::size_t k = 0; k < sides.size(); ++k) {
+        Side& before = sides[k == 0 ? sides.size() - 1 : k - 1];
+        const double turning = turn(vectorTo(before.from, before.to), vectorTo(sides[k].from, sides[k].to));
+        before.turnAtEnd = (turning > 0 ? 1 : 0) - (turning < 0 ? 1 : 0);
+        sides[k].turnAtStart = before.turnAtEnd;
       }
     }
     axis_ = directions.axis();
@@ -255,7 +260,8 @@ class DiscSearch {
     double size = 0;
     Point start;  ///< `from` and `to` where the region is
     Point end;
-    bool startsAtReflexCorner = false;
+    int turnAtStart = 0;  ///< -1 at a reflex corner, 1 at a convex one
+    int turnAtEnd = 0;
   };
 
   /// A rectangle along the axis and across it.
@@ -301,7 +307,7 @@ class DiscSearch {
       v = vectorTo(things_[at(thing)].point, p);
       radius = things_[at(thing)].r;
     } else {
-      const auto& [from, to, unit, size, start, end, isReflex] = sides_[at(thing) - circles_.size()];
+      const auto& [from, to, unit, size, start, end, turnAtStart, turnAtEnd] = sides_[at(thing) - circles_.size()];
       const double ahead = dot(vectorTo(from, p), unit);
       if (ahead > 0 && ahead < size) {
         const double height = cross(unit, vectorTo(from, p));
@@ -426,26 +432,27 @@ class DiscSearch {
     return least;
   }
 
-  /// Returns whether the region contains a point of a rectangle, up to rounding. If the nearest things are sides and
-  /// the point is beside them, it is inside on their left. The two sides of a wall may be a few units of rounding
+  /// Returns whether the region contains a point of a rectangle, up to rounding. If the nearest things are sides, the
+  /// point is inside on their left, and beyond a reflex corner. The two sides of a wall may be a few units of rounding
   /// apart.
   bool contains(Point p, const Rectangle& rectangle) const {
     const double least = leastDistance(p, rectangle);
-    std::array<bool, 2> isOn = {false, false};  ///< on the right and the left of the nearest sides
-    bool isCertain = least > kRoundingOfTouch;
+    if (std::abs(least) <= kRoundingOfTouch) return true;
+    std::array<bool, 2> answers = {false, false};
     for (const std::int32_t thing : rectangle.near) {
-      if (!isCertain) break;
       if (distanceTo(thing, p) > least + kRoundingOfTouch) continue;
-      isCertain = at(thing) >= circles_.size();
-      if (!isCertain) break;
-      const Side& side = sides_[at(thing) - circles_.size()];
-      const Vector v = vectorTo(side.from, p);
-      const double ahead = dot(side.direction, v);
-      isCertain = ahead > 0 && ahead < side.size;
-      isOn[cross(side.direction, v) > 0 ? 1 : 0] = true;
+      if (at(thing) < circles_.size()) return region_.contains(there(p));
+      answers[isInsideOf(sides_[at(thing) - circles_.size()], p) ? 1 : 0] = true;
     }
-    if (isCertain && isOn[0] != isOn[1]) return isOn[1];
-    return region_.contains(there(p));
+    return answers[0] != answers[1] ? answers[1] : region_.contains(there(p));
+  }
+
+  /// Returns whether a point is inside of a side that is the nearest one.
+  static bool isInsideOf(const Side& side, Point p) {
+    const Vector v = vectorTo(side.from, p);
+    const double ahead = dot(side.direction, v);
+    const double turnAtCorner = ahead < 0 ? side.turnAtStart : ahead > side.size ? side.turnAtEnd : 0;
+    return turnAtCorner == 0 ? cross(side.direction, v) > 0 : turnAtCorner < 0;
   }
 
   /// Returns whether a bound leaves room for a larger disc than the best one.
@@ -499,7 +506,7 @@ class DiscSearch {
       if (at(thing) < circles_.size()) continue;
       // Only one of the two sides at a corner adds the corner.
       const Side& side = sides_[at(thing) - circles_.size()];
-      if (side.startsAtReflexCorner) near.push_back({side.from, {}, 0, false});
+      if (side.turnAtStart < 0) near.push_back({side.from, {}, 0, false});
     }
     offer(rectangle.center, rectangle);
     const double slack = rectangle.reach() * kRounding + kFinestRectangle;
