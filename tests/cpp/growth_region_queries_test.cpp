@@ -65,7 +65,7 @@ TEST(GrowthInRegions, OfClearestPaths) {
 }
 
 TEST(GrowthInRegions, OfLargestDiscs) {
-  static const std::array kFamilies = {kUniform, kHub, kSpiral, kHoles};
+  static const std::array kFamilies = {kUniform, kHub, kStrips, kSpiral, kHoles};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kFamilies});
   static const std::array kTeeth = {kComb};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kTeeth, 2000});

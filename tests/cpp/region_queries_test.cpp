@@ -211,6 +211,25 @@ TEST(LargestDiscInRegion, DoesNotDependOnHolesUnderCircles) {
   }
 }
 
+TEST(LargestDiscInRegion, IsInTheWidestOfManyThinStripsInAnyDirection) {
+  Random random(test::seedOr(11));
+  for (const double slant : {0.0, 37.0, -1000.0}) {
+    SCOPED_TRACE(slant);
+    std::vector<std::vector<Ring>> strips;
+    double widest = 0;
+    for (int k = 0; k < 200; ++k) {
+      const double x = k + random.uniform(0, 0.1);
+      const double width = random.uniform(0.3, 0.6);
+      widest = std::max(widest, width);
+      strips.push_back({{{x, 0}, {x + width, 0}, {x + width + slant, 100}, {x + slant, 100}}});
+    }
+    const Region region = Region::fromPolygons(strips).value();
+    const auto found = discIn({{1e4, 1e4, 1}}, region);
+    EXPECT_NEAR(found.disc.r, widest / 2 * 100 / std::hypot(slant, 100), 1e-11);
+    EXPECT_TRUE(region.contains({found.disc.x, found.disc.y}));
+  }
+}
+
 /// The distance of a point from a side, in more digits than doubles have.
 long double distanceToSide(Point p, Point a, Point b) {
   const long double x = static_cast<long double>(b.x) - a.x;

@@ -17,11 +17,11 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// region in place of circles. Without circles it is the largest disc in the region. If circles cover the region,
 /// returns the disc of ClippedDiagram::largestEmptyDisc, whose radius is not positive.
 ///
-/// Squares that may hold the center are divided, the most promising first, until few circles and sides are near. Then
+/// Rectangles that may hold the center are divided, the most promising first, until few circles and sides are near. Then
 /// the disc that touches each three of them is computed. The result is right up to rounding, and inside the region: the
 /// region contains the center, and the radius is at most the distance to the boundary, up to rounding of itself. For m
-/// circles and sides, it takes O(m log m) steps for most regions, ring corridors, combs and spirals included. It takes
-/// more where many discs are nearly as large as the largest one along long sides, as between many thin strips.
+/// circles and sides, it takes O(m log m) steps for most regions, ring corridors, combs, spirals and parallel strips
+/// included. It takes more in thin strips of many directions.
 ///
 /// Errors: badOption if the metric is not Metric::circles, or the region is so thin, a few units of rounding wide, that
 /// no disc is found in it; tooManyCircles if memory runs out; the errors of ClippedDiagram::from if circles cover the

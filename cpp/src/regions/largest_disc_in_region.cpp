@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <queue>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,10 @@ namespace {
 
 /// With at most this number of circles and sides nearby, all triples are tried.
 constexpr std::size_t kFew = 10;
-/// Squares smaller than this share of the region are points up to rounding.
-constexpr double kFinestSquare = 0x1p-50;
+/// Rectangles smaller than this share of the region are points up to rounding.
+constexpr double kFinestRectangle = 0x1p-50;
+/// A side is along an axis if its slope is at most this.
+constexpr double kMostSlope = 0x1p-4;
 /// A disc touches circles and sides at a distance of its radius, up to this share of the region.
 constexpr double kRoundingOfTouch = 0x1p-44;
 constexpr int kRefinements = 2;
@@ -149,6 +152,38 @@ void placesTouching(std::array<const Touchable*, 3> things, Take take) {
   }
 }
 
+/// The directions of sides, up to quarter turns.
+class Directions {
+ public:
+  void add(Vector direction, double size) {
+    const Vector twice = squareOf(direction);
+    const Vector fourTimes = squareOf(twice);
+    sum_ = {sum_.x + size * fourTimes.x, sum_.y + size * fourTimes.y};
+    total_ += size;
+  }
+
+  /// Returns the direction of most sides, or that of x if the sides have many directions.
+  [[nodiscard]] Vector axis() const {
+    const double size = length(sum_);
+    if (!(size > total_ / 2)) return {1, 0};
+    return rootOf(rootOf({sum_.x / size, sum_.y / size}));
+  }
+
+ private:
+  /// The direction at twice the angle.
+  static Vector squareOf(Vector v) { return {v.x * v.x - v.y * v.y, 2 * v.x * v.y}; }
+  /// The direction at half of the angle.
+  static Vector rootOf(Vector v) {
+    const double larger = std::sqrt((1 + std::abs(v.x)) / 2);
+    const double smaller = std::abs(v.y) / (2 * larger);
+    const Vector root = v.x < 0 ? Vector{smaller, larger} : Vector{larger, smaller};
+    return v.y < 0 ? Vector{root.x, -root.y} : root;
+  }
+
+  Vector sum_;
+  double total_ = 0;
+};
+
 class DiscSearch {
  public:
   /// The region has been scaled by a power of two, to a unit of 1 at least. The diagram has not.
@@ -156,6 +191,7 @@ class DiscSearch {
     const Box box = region.bounds();
     origin_ = {box.minX + (box.maxX - box.minX) / 2, box.minY + (box.maxY - box.minY) / 2};
     unit_ = powerOfTwoIn(std::max(box.maxX - box.minX, box.maxY - box.minY));
+    Directions directions;
     for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
       const auto index = static_cast<std::int32_t>(i);
       if (!diagram.hasCell(index)) continue;
@@ -172,32 +208,44 @@ class DiscSearch {
         const Point to = here(points[at(next)]);
         const Vector along = vectorTo(from, to);
         const double size = length(along);
-        const std::int32_t before = k == rings[ring] ? rings[ring + 1] - 1 : k - 1;
-        // No disc inside touches a corner where the region is convex.
-        const bool isReflex = turn(vectorTo(here(points[at(before)]), from), along) < 0;
-        sides_.push_back({from, to, points[at(k)], points[at(next)], isReflex});
+        const Vector direction = {along.x / size, along.y / size};
+        sides_.push_back({from, to, direction, size, points[at(k)], points[at(next)]});
         things_.push_back({from, {-along.y / size, along.x / size}, 0, true});
+        directions.add(direction, size);
+      }
+      const std::span<Side> sides = std::span(sides_).subspan(at(rings[ring]));
+      for (std::size_t k = 0; k < sides.size(); ++k) {
+        Side& before = sides[k == 0 ? sides.size() - 1 : k - 1];
+        const double turning = turn(vectorTo(before.from, before.to), vectorTo(sides[k].from, sides[k].to));
+        before.turnAtEnd = (turning > 0 ? 1 : 0) - (turning < 0 ? 1 : 0);
+        sides[k].turnAtStart = before.turnAtEnd;
       }
     }
+    axis_ = directions.axis();
   }
 
   std::optional<EmptyDisc> run() {
-    Square root;
-    root.half = 1;
+    Rectangle root;
+    // The region lies within 1 of the origin along x and y.
+    root.half.x = std::abs(axis_.x) + std::abs(axis_.y);
+    root.half.y = root.half.x;
     root.near.resize(things_.size());
     for (std::size_t i = 0; i < things_.size(); ++i) root.near[i] = static_cast<std::int32_t>(i);
-    offerSquare(std::move(root));
+    offerRectangle(std::move(root));
     while (!pending_.empty() && mayBeLarger(pending_.top()->most)) {
-      const std::shared_ptr<Square> square = pending_.top();
+      const std::shared_ptr<Rectangle> whole = pending_.top();
       pending_.pop();
-      for (const double x : {-1.0, 1.0}) {
-        for (const double y : {-1.0, 1.0}) {
-          const double half = square->half / 2;
-          Square quarter;
-          quarter.center = {square->center.x + x * half, square->center.y + y * half};
-          quarter.half = half;
-          quarter.near = square->near;
-          offerSquare(std::move(quarter));
+      const Vector half = {whole->half.x / whole->columns, whole->half.y / whole->rows};
+      for (int column = 0; column < whole->columns; ++column) {
+        for (int row = 0; row < whole->rows; ++row) {
+          const double along = (2 * column + 1 - whole->columns) * half.x;
+          const double across = (2 * row + 1 - whole->rows) * half.y;
+          Rectangle part;
+          part.center = {whole->center.x + (axis_.x * along - axis_.y * across),
+                         whole->center.y + (axis_.y * along + axis_.x * across)};
+          part.half = half;
+          part.near = whole->near;
+          offerRectangle(std::move(part));
         }
       }
     }
@@ -208,16 +256,24 @@ class DiscSearch {
   struct Side {
     Point from;
     Point to;
+    Vector direction;  ///< of length 1
+    double size = 0;
     Point start;  ///< `from` and `to` where the region is
     Point end;
-    bool startsAtReflexCorner = false;
+    int turnAtStart = 0;  ///< -1 at a reflex corner, 1 at a convex one
+    int turnAtEnd = 0;
   };
 
-  struct Square {
+  /// A rectangle along the axis and across it.
+  struct Rectangle {
     Point center;
-    double half = 0;                 ///< half of its side
-    double most = 0;                 ///< no disc around a point of the square is larger
-    std::vector<std::int32_t> near;  ///< the circles and sides that may be nearest to a point of the square
+    Vector half;                     ///< half of its length along the axis and across it
+    double most = 0;                 ///< no disc around a point of the rectangle is larger
+    std::vector<std::int32_t> near;  ///< the circles and sides that may be nearest to a point of the rectangle
+    int columns = 2;                 ///< the number of parts along the axis
+    int rows = 2;                    ///< the number of parts across the axis
+
+    [[nodiscard]] double reach() const { return length(half); }
   };
 
   Point here(Point p) const { return {(p.x - origin_.x) / unit_, (p.y - origin_.y) / unit_}; }
@@ -225,127 +281,188 @@ class DiscSearch {
   /// Rounds a point to the numbers for which signs are exact (limits.h), times the unit.
   Point roundedInUnits(Point p) const { return {unit_ * rounded(p.x / unit_), unit_ * rounded(p.y / unit_)}; }
 
-  /// The distance of a place from a thing, and its bounds nearby: at p + v it is at least value + along . v, because
-  /// things are convex, and it is larger by at most bend |v|^2 as long as |v| is at most the given reach.
+  /// A vector in the frame of the axis.
+  Vector seen(Vector v) const { return {dot(axis_, v), cross(axis_, v)}; }
+  /// The largest value of v . w for all w from the center of a rectangle to its points.
+  double reachOf(const Rectangle& rectangle, Vector v) const {
+    const Vector its = seen(v);
+    return rectangle.half.x * std::abs(its.x) + rectangle.half.y * std::abs(its.y);
+  }
+
+  /// The distance of the center of a rectangle from a thing, and its bounds at center + v in the rectangle: it is at
+  /// least value + along . v, because things are convex, and larger by at most `excess`.
   struct Distance {
     double value = 0;
     Vector along;
-    double bend = kInfinite;
+    double excess = kInfinite;
+    double most = kInfinite;  ///< no point of the rectangle is farther from the thing
+    bool isWhole = false;     ///< whether this is a side, and all points of the rectangle are beside it
   };
 
-  Distance distanceTo(std::int32_t thing, Point p, double reach) const {
+  Distance distanceTo(std::int32_t thing, const Rectangle& rectangle) const {
+    const Point p = rectangle.center;
     Vector v;
     double radius = 0;
     if (at(thing) < circles_.size()) {
       v = vectorTo(things_[at(thing)].point, p);
       radius = things_[at(thing)].r;
     } else {
-      const Side& side = sides_[at(thing) - circles_.size()];
-      const Vector along = vectorTo(side.from, side.to);
-      const double size = length(along);
-      const Vector unit = {along.x / size, along.y / size};
-      const double ahead = dot(vectorTo(side.from, p), unit);
+      const auto& [from, to, unit, size, start, end, turnAtStart, turnAtEnd] = sides_[at(thing) - circles_.size()];
+      const double ahead = dot(vectorTo(from, p), unit);
       if (ahead > 0 && ahead < size) {
-        const double height = cross(unit, vectorTo(side.from, p));
+        const double height = cross(unit, vectorTo(from, p));
         const double sign = height < 0 ? -1 : 1;
-        const double distance = std::abs(height);
+        const Vector along = {-sign * unit.y, sign * unit.x};
+        // The rectangle extends beyond the ends of the side this far.
+        const double beyond = std::max(reachOf(rectangle, unit) - std::min(ahead, size - ahead), 0.0);
+        const double aside = reachOf(rectangle, along);
         // Beyond the line, the distance grows again.
-        const bool isStraight = distance > reach && ahead > reach && size - ahead > reach;
-        return {distance, {-sign * unit.y, sign * unit.x}, isStraight ? 0 : bendOf(distance, reach)};
+        return {std::abs(height), along, excessOf(std::abs(height), aside, beyond),
+                length({std::abs(height) + aside, beyond}), beyond == 0};
       }
-      v = vectorTo(ahead > 0 ? side.to : side.from, p);
+      v = vectorTo(ahead > 0 ? to : from, p);
     }
     const double distance = lengthOf(v);
+    const double most = distance - radius + rectangle.reach();
     // At an end of a side, the distance grows in some directions only.
-    const Vector along = distance > 0 ? measuredIn(distance, v) : Vector{};
-    return {distance - radius, along, bendOf(distance, reach)};
+    if (!(distance > 0)) return {distance - radius, {}, kInfinite, most};
+    const Vector along = measuredIn(distance, v);
+    const double aside = reachOf(rectangle, {-along.y, along.x});
+    return {distance - radius, along, excessOf(distance, reachOf(rectangle, along), aside), most};
   }
 
-  double distanceTo(std::int32_t thing, Point p) const { return distanceTo(thing, p, 0).value; }
-
-  static double bendOf(double distance, double reach) {
-    return distance > 2 * reach ? 0.5 / (distance - reach) : kInfinite;
+  /// The distance from a point grows by a step ahead and a step aside by at most the step ahead and this.
+  static double excessOf(double distance, double ahead, double aside) {
+    if (!(distance > 2 * ahead)) return kInfinite;
+    return aside * aside / (2 * (distance - ahead));
   }
 
-  void offerSquare(Square square) {
+  double distanceTo(std::int32_t thing, Point p) const {
+    if (at(thing) < circles_.size()) return lengthOf(vectorTo(things_[at(thing)].point, p)) - things_[at(thing)].r;
+    const Side& side = sides_[at(thing) - circles_.size()];
+    const Vector v = vectorTo(side.from, p);
+    const double ahead = dot(v, side.direction);
+    if (ahead > 0 && ahead < side.size) return std::abs(cross(side.direction, v));
+    return lengthOf(ahead > 0 ? vectorTo(side.to, p) : v);
+  }
+
+  void offerRectangle(Rectangle rectangle) {
     std::vector<Distance> distances;
-    distances.reserve(square.near.size());
-    const double reach = square.half * std::sqrt(2.0);
+    distances.reserve(rectangle.near.size());
     std::size_t nearest = 0;
-    for (const std::int32_t thing : square.near) {
-      distances.push_back(distanceTo(thing, square.center, reach));
+    for (const std::int32_t thing : rectangle.near) {
+      distances.push_back(distanceTo(thing, rectangle));
       if (distances.back().value < distances[nearest].value) nearest = distances.size() - 1;
     }
     const double least = distances[nearest].value;
-    square.most = least + reach;
-    if (!mayBeLarger(square.most)) return;
-    // The smaller of two distances is at most their mean, which is nearly the same all over the square if the two
-    // things are opposite each other.
+    const double reach = rectangle.reach();
     const Distance& first = distances[nearest];
+    rectangle.most = first.most;
+    if (!mayBeLarger(rectangle.most)) return;
+    // The smaller of two distances is at most their mean, which is nearly the same all over the rectangle if the two
+    // things are opposite each other.
     const Distance* opposite = &first;
     for (const Distance& other : distances) {
       const Vector sum = {first.along.x + other.along.x, first.along.y + other.along.y};
-      const double mean = (first.value + other.value + reach * length(sum)) / 2 +
-                          reach * reach * (first.bend + other.bend) / 2 + kRoundingOfBound;
-      if (mean < square.most) {
-        square.most = mean;
+      const double mean =
+          (first.value + other.value + reachOf(rectangle, sum) + first.excess + other.excess) / 2 + kRoundingOfBound;
+      if (mean < rectangle.most) {
+        rectangle.most = mean;
         opposite = &other;
       }
     }
-    if (!mayBeLarger(square.most)) return;
+    if (!mayBeLarger(rectangle.most)) return;
     // A way from outside into the region crosses the boundary, and is at least as long up to there as to the nearest
     // thing: a side, or a circle that covers the boundary where its sides are not kept.
     const double mostFromOutside = reach - std::abs(least);
-    if (!(square.most < mostFromOutside) && !contains(square, distances, nearest)) {
-      square.most = mostFromOutside;
+    if (!(rectangle.most < mostFromOutside) && !contains(rectangle.center, rectangle)) {
+      rectangle.most = mostFromOutside;
       opposite = &first;
-      if (!mayBeLarger(square.most)) return;
+      if (!mayBeLarger(rectangle.most)) return;
     }
     // The disc between the two.
     const double half = (opposite->value - first.value) / 2;
-    if (half > 0 && half * largestOf(first.along) <= square.half) {
-      offer({square.center.x + half * first.along.x, square.center.y + half * first.along.y}, square);
+    if (half > 0) {
+      const Point between = {rectangle.center.x + half * first.along.x, rectangle.center.y + half * first.along.y};
+      if (isIn(rectangle, between, 0)) offer(between, rectangle);
     }
-    if (!mayBeLarger(square.most)) return;
-    keepNearest(square, distances, least, reach);
-    // Parts of a square next to a side that are too small for a larger disc are left out before all discs are tried.
+    if (!mayBeLarger(rectangle.most)) return;
+    const std::int32_t thing = rectangle.near[nearest];
+    divide(rectangle, first, thing, keepNearest(rectangle, distances, first.most));
+    // Parts next to a side that are too small for a larger disc are left out before all discs are tried.
     const bool mayBeDivided = least <= reach && reach < 4 * radius_;
-    if (square.near.size() <= kFew && !mayBeDivided) {
-      tryAll(square);
+    if (rectangle.near.size() <= kFew && !mayBeDivided) {
+      tryAll(rectangle);
       return;
     }
-    offer(square.center, square);
-    if (square.half > kFinestSquare) {
-      square.near.shrink_to_fit();
-      pending_.push(std::make_shared<Square>(std::move(square)));
+    offer(rectangle.center, rectangle);
+    if (largestOf(rectangle.half) > kFinestRectangle) {
+      rectangle.near.shrink_to_fit();
+      pending_.push(std::make_shared<Rectangle>(std::move(rectangle)));
     }
   }
 
-  /// Returns whether the region contains the center of a square, whose things have the given distances. Beside a side
-  /// that is certainly the nearest, its left is inside. The two sides of a wall may be a few units of rounding apart.
-  bool contains(const Square& square, const std::vector<Distance>& distances, std::size_t nearest) const {
-    const double least = distances[nearest].value;
-    const auto isAsNear = [&](const Distance& other) { return other.value <= least + kRoundingOfTouch; };
-    const std::size_t thing = at(square.near[nearest]);
-    if (thing >= circles_.size() && least > kRoundingOfTouch &&
-        std::count_if(distances.begin(), distances.end(), isAsNear) == 1) {
-      const Side& side = sides_[thing - circles_.size()];
-      const Vector along = vectorTo(side.from, side.to);
-      const Vector v = vectorTo(side.from, square.center);
-      const double ahead = dot(along, v);
-      if (ahead > 0 && ahead < dot(along, along)) return cross(along, v) > 0;
+  /// Decides into how many parts a rectangle is divided. Across a side that is longer than the rectangle, it is first
+  /// divided until it is thinner than its distance from the side. So a strip between two long sides takes few
+  /// rectangles, however thin it is.
+  void divide(Rectangle& rectangle, const Distance& first, std::int32_t nearest, bool areMostWhole) const {
+    const Vector half = rectangle.half;
+    rectangle.columns = 2 * half.x > half.y ? 2 : 1;
+    rectangle.rows = 2 * half.y > half.x ? 2 : 1;
+    if (!first.isWhole || !areMostWhole) return;
+    const Vector slope = seen(sides_[at(nearest) - circles_.size()].direction);
+    if (std::abs(slope.y) < kMostSlope && 2 * half.y > first.value) {
+      rectangle.columns = 1;
+      rectangle.rows = 2;
+    } else if (std::abs(slope.x) < kMostSlope && 2 * half.x > first.value) {
+      rectangle.columns = 2;
+      rectangle.rows = 1;
     }
-    return region_.contains(there(square.center));
+  }
+
+  /// Returns whether a rectangle, made larger by `slack`, contains a point.
+  bool isIn(const Rectangle& rectangle, Point p, double slack) const {
+    const Vector v = seen(vectorTo(rectangle.center, p));
+    return std::abs(v.x) <= rectangle.half.x + slack && std::abs(v.y) <= rectangle.half.y + slack;
+  }
+
+  double leastDistance(Point p, const Rectangle& rectangle) const {
+    double least = kInfinite;
+    for (const std::int32_t thing : rectangle.near) least = std::min(least, distanceTo(thing, p));
+    return least;
+  }
+
+  /// Returns whether the region contains a point of a rectangle, up to rounding. If the nearest things are sides, the
+  /// point is inside on their left, and beyond a reflex corner. The two sides of a wall may be a few units of rounding
+  /// apart.
+  bool contains(Point p, const Rectangle& rectangle) const {
+    const double least = leastDistance(p, rectangle);
+    if (std::abs(least) <= kRoundingOfTouch) return true;
+    std::array<bool, 2> answers = {false, false};
+    for (const std::int32_t thing : rectangle.near) {
+      if (distanceTo(thing, p) > least + kRoundingOfTouch) continue;
+      if (at(thing) < circles_.size()) return region_.contains(there(p));
+      answers[isInsideOf(sides_[at(thing) - circles_.size()], p) ? 1 : 0] = true;
+    }
+    return answers[0] != answers[1] ? answers[1] : region_.contains(there(p));
+  }
+
+  /// Returns whether a point is inside of a side that is the nearest one.
+  static bool isInsideOf(const Side& side, Point p) {
+    const Vector v = vectorTo(side.from, p);
+    const double ahead = dot(side.direction, v);
+    const double turnAtCorner = ahead < 0 ? side.turnAtStart : ahead > side.size ? side.turnAtEnd : 0;
+    return turnAtCorner == 0 ? cross(side.direction, v) > 0 : turnAtCorner < 0;
   }
 
   /// Returns whether a bound leaves room for a larger disc than the best one.
   bool mayBeLarger(double most) const { return most > radius_ * (1 + kRoundingOfRadius); }
 
-  /// Keeps the things that may be nearest to a point of a square.
-  static void keepNearest(Square& square, const std::vector<Distance>& distances, double least, double reach) {
+  /// Keeps the things that may be nearest to a point of a rectangle, from which the nearest is at most `most` away.
+  bool keepNearest(Rectangle& rectangle, const std::vector<Distance>& distances, double most) const {
     // Of each sector of directions, the thing with the least bound.
     std::array<const Distance*, kSectors> nearest = {};
-    const auto bound = [&](const Distance& distance) { return distance.value + reach * reach * distance.bend; };
+    const auto bound = [](const Distance& distance) { return distance.value + distance.excess; };
     for (const Distance& distance : distances) {
       const Distance*& its = nearest[sectorOf(distance.along)];
       if (its == nullptr || bound(distance) < bound(*its)) its = &distance;
@@ -353,19 +470,23 @@ class DiscSearch {
     const auto isBeyond = [&](const Distance& distance, const Distance* other) {
       if (other == nullptr) return false;
       const Vector difference = {distance.along.x - other->along.x, distance.along.y - other->along.y};
-      return distance.value > bound(*other) + reach * length(difference) + kRoundingOfBound;
+      return distance.value > bound(*other) + reachOf(rectangle, difference) + kRoundingOfBound;
     };
     std::size_t count = 0;
+    std::size_t whole = 0;
     for (std::size_t i = 0; i < distances.size(); ++i) {
-      if (distances[i].value > least + 2 * reach) continue;
+      if (distances[i].value - reachOf(rectangle, distances[i].along) > most + kRoundingOfBound) continue;
       const std::size_t sector = sectorOf(distances[i].along);
       bool isKept = true;
       for (const std::size_t step : {std::size_t{0}, std::size_t{1}, kSectors - 1}) {
         isKept = isKept && !isBeyond(distances[i], nearest[(sector + step) % kSectors]);
       }
-      if (isKept) square.near[count++] = square.near[i];
+      if (!isKept) continue;
+      rectangle.near[count++] = rectangle.near[i];
+      if (distances[i].isWhole) ++whole;
     }
-    square.near.resize(count);
+    rectangle.near.resize(count);
+    return 2 * whole > count;
   }
 
   /// Counted counter-clockwise.
@@ -377,20 +498,20 @@ class DiscSearch {
     return (isLower ? 4U : 0U) + (isLeft ? 2U : 0U) + (v.y > v.x ? 1U : 0U);
   }
 
-  /// Tries all discs around points of a square that touch three things.
-  void tryAll(const Square& square) {
+  /// Tries all discs around points of a rectangle that touch three things.
+  void tryAll(const Rectangle& rectangle) {
     std::vector<Touchable> near;
-    for (const std::int32_t thing : square.near) {
+    for (const std::int32_t thing : rectangle.near) {
       near.push_back(things_[at(thing)]);
       if (at(thing) < circles_.size()) continue;
       // Only one of the two sides at a corner adds the corner.
       const Side& side = sides_[at(thing) - circles_.size()];
-      if (side.startsAtReflexCorner) near.push_back({side.from, {}, 0, false});
+      if (side.turnAtStart < 0) near.push_back({side.from, {}, 0, false});
     }
-    offer(square.center, square);
-    const double slack = square.half * (1 + kRounding) + kFinestSquare;
+    offer(rectangle.center, rectangle);
+    const double slack = rectangle.reach() * kRounding + kFinestRectangle;
     const auto take = [&](Point p) {
-      if (largestOf(vectorTo(square.center, p)) <= slack) offer(p, square);
+      if (isIn(rectangle, p, slack)) offer(p, rectangle);
     };
     for (std::size_t i = 0; i < near.size(); ++i) {
       for (std::size_t j = i + 1; j < near.size(); ++j) {
@@ -399,25 +520,19 @@ class DiscSearch {
     }
   }
 
-  void offer(Point p, const Square& square) {
-    const auto leastFrom = [&](Point place) {
-      double least = kInfinite;
-      for (const std::int32_t thing : square.near) least = std::min(least, distanceTo(thing, place));
-      return least;
-    };
-    if (!(leastFrom(p) > radius_)) return;
+  void offer(Point p, const Rectangle& rectangle) {
+    double least = leastDistance(p, rectangle);
+    if (!(least > radius_) || !contains(p, rectangle)) return;
     const Point center = roundedInUnits(there(p));
-    if (!region_.contains(center)) return;
     // In thin regions, rounding of the center counts.
-    double least = leastFrom(p);
-    for (const std::int32_t thing : square.near) {
+    for (const std::int32_t thing : rectangle.near) {
       if (at(thing) >= circles_.size()) least = std::min(least, exactDistance(thing, center) / unit_);
     }
-    if (!(least > radius_)) return;
+    if (!(least > radius_) || !region_.contains(center)) return;
     radius_ = least;
     EmptyDisc found = {{center.x / scale_, center.y / scale_, least * unit_ / scale_}, {kNone, kNone, kNone}};
     std::size_t count = 0;
-    for (const std::int32_t thing : square.near) {
+    for (const std::int32_t thing : rectangle.near) {
       if (at(thing) >= circles_.size() || count == found.circles.size()) continue;
       if (distanceTo(thing, p) <= least + kRoundingOfTouch) found.circles[count++] = circles_[at(thing)];
     }
@@ -443,7 +558,7 @@ class DiscSearch {
   }
 
   struct IsLess {
-    bool operator()(const std::shared_ptr<Square>& one, const std::shared_ptr<Square>& other) const {
+    bool operator()(const std::shared_ptr<Rectangle>& one, const std::shared_ptr<Rectangle>& other) const {
       return one->most < other->most;
     }
   };
@@ -452,10 +567,11 @@ class DiscSearch {
   double scale_;
   Point origin_;
   double unit_ = 1;
+  Vector axis_ = {1, 0};  ///< the direction of rectangles, of length 1
   std::vector<CircleIndex> circles_;
   std::vector<Touchable> things_;  ///< the circles, then the lines of the sides
   std::vector<Side> sides_;
-  std::priority_queue<std::shared_ptr<Square>, std::vector<std::shared_ptr<Square>>, IsLess> pending_;
+  std::priority_queue<std::shared_ptr<Rectangle>, std::vector<std::shared_ptr<Rectangle>>, IsLess> pending_;
   double radius_ = 0;
   std::optional<EmptyDisc> best_;
 };
