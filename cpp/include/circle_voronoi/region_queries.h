@@ -11,7 +11,7 @@
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/region.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Returns the largest disc that lies entirely inside a region and overlaps no circle. It may touch the boundary of the
 /// region in place of circles. Without circles it is the largest disc in the region. If circles cover the region,
@@ -26,7 +26,8 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// Errors: badOption if the metric is not Metric::circles, or the region is so thin, a few units of rounding wide, that
 /// no disc is found in it; tooManyCircles if memory runs out; the errors of ClippedDiagram::from if circles cover the
 /// region.
-Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, const Region& region);
+CIRCLE_VORONOI_API Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram,
+                                                                           const Region& region);
 
 /// Returns a path of greatest clearance from p to q that stays inside a region, with its curves. Returns nothing only
 /// if p and q lie in different parts of the region. Polygons that touch in a point are one part, and the path may lead
@@ -43,6 +44,7 @@ Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, 
 ///
 /// Errors: badOption if p or q lies outside the region, the metric is not Metric::circles, or there are no circles; see
 /// also ClippedDiagram::from.
-Result<std::optional<ClearestPath>> clearestPath(const Diagram& diagram, Point p, Point q, const Region& region);
+CIRCLE_VORONOI_API Result<std::optional<ClearestPath>> clearestPath(const Diagram& diagram, Point p, Point q,
+                                                                    const Region& region);
 
 }  // namespace circle_voronoi

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "circle_voronoi/io.h"
 #include "guarded.h"
 #include "json_reader.h"
+#include "read_double.h"
 #include "text.h"
 
 namespace circle_voronoi {
@@ -203,7 +203,7 @@ class WktReader {
     if (at_ < text_.size() && text_[at_] == '+') ++at_;
     double value = 0;
     const char* begin = text_.data() + at_;
-    const auto [end, code] = std::from_chars(begin, text_.data() + text_.size(), value);
+    const auto [end, code] = readDouble(begin, text_.data() + text_.size(), value);
     if (code != std::errc()) fail("expected a number.");
     at_ += static_cast<std::size_t>(end - begin);
     return value;
