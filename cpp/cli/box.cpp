@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
 #include "circle_voronoi/region.h"
 #include "number_text.h"
+#include "read_double.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -41,7 +41,7 @@ std::string readFour(std::string_view text, const Names& names, Sides sides, std
 std::optional<double> readNumber(std::string_view text, Sides sides) {
   double value = 0;
   const char* end = text.data() + text.size();
-  const auto [stop, code] = std::from_chars(text.data(), end, value);
+  const auto [stop, code] = readDouble(text.data(), end, value);
   if (code != std::errc() || stop != end || std::isnan(value)) return std::nullopt;
   if (std::isinf(value) && sides == Sides::finite) return std::nullopt;
   return value;

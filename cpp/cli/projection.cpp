@@ -8,6 +8,7 @@
 
 #include "command_error.h"
 #include "number_text.h"
+#include "read_double.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -279,7 +280,7 @@ std::optional<Projection> Projection::recordedIn(const CircleAttributes& attribu
     if (found == std::string::npos) return std::nullopt;
     double value = 0;
     const char* first = text.data() + found + key.size();
-    const auto code = std::from_chars(first, text.data() + text.size(), value).ec;
+    const auto code = readDouble(first, text.data() + text.size(), value).ec;
     return code == std::errc() ? std::optional(value) : std::nullopt;
   };
   const auto longitude = numberAfter(",\"longitude\":");

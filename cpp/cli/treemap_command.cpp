@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -22,6 +21,7 @@
 #include "number_text.h"
 #include "output.h"
 #include "progress_line.h"
+#include "read_double.h"
 #include "whole_number.h"
 
 namespace circle_voronoi::cli {
@@ -68,7 +68,7 @@ std::optional<double> numberOf(std::string_view value) {
   if (value.size() > 2 && value.starts_with('"')) value = value.substr(1, value.size() - 2);
   double number = 0;
   const char* const end = value.data() + value.size();
-  const auto [stop, code] = std::from_chars(value.data(), end, number);
+  const auto [stop, code] = readDouble(value.data(), end, number);
   return code == std::errc() && stop == end && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 

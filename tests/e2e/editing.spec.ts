@@ -257,6 +257,8 @@ test('help shows what pointer and keys do', async ({ app }) => {
 })
 
 test('what is done is said once', async ({ app }) => {
+  // The opened circles are announced first, once the page has been at rest.
+  await expect(app.page.locator('#said')).not.toBeEmpty()
   await app.page.clock.install()
   await app.page.evaluate(() => {
     const said = document.querySelector('#said') as HTMLElement

@@ -5,10 +5,15 @@
 
 // The properties that a program and the library must have in common. Every public header includes this one.
 
-/// Makes the names of a namespace visible outside a shared library.
-#define CIRCLE_VORONOI_API [[gnu::visibility("default")]]
+/// Makes a function or a class visible outside a shared library. Clang ignores this attribute on a namespace for
+/// functions.
+#ifdef __GNUC__
+#define CIRCLE_VORONOI_API __attribute__((visibility("default")))
+#else
+#define CIRCLE_VORONOI_API
+#endif
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 // If a program and the library lay out the containers and strings of the standard library differently, each would read
 // garbage from the other. Each source that includes this header therefore refers to a constant that only a matching
@@ -16,18 +21,18 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 // states the problem.
 
 #ifdef _GLIBCXX_DEBUG
-extern const bool needs_a_library_built_with_GLIBCXX_DEBUG;
+CIRCLE_VORONOI_API extern const bool needs_a_library_built_with_GLIBCXX_DEBUG;
 [[gnu::used]] inline const bool& sameContainers = needs_a_library_built_with_GLIBCXX_DEBUG;
 #else
-extern const bool needs_a_library_built_without_GLIBCXX_DEBUG;
+CIRCLE_VORONOI_API extern const bool needs_a_library_built_without_GLIBCXX_DEBUG;
 [[gnu::used]] inline const bool& sameContainers = needs_a_library_built_without_GLIBCXX_DEBUG;
 #endif
 
 #if defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI
-extern const bool needs_a_library_built_without_GLIBCXX_USE_CXX11_ABI;
+CIRCLE_VORONOI_API extern const bool needs_a_library_built_without_GLIBCXX_USE_CXX11_ABI;
 [[gnu::used]] inline const bool& sameStrings = needs_a_library_built_without_GLIBCXX_USE_CXX11_ABI;
 #else
-extern const bool needs_a_library_built_with_GLIBCXX_USE_CXX11_ABI;
+CIRCLE_VORONOI_API extern const bool needs_a_library_built_with_GLIBCXX_USE_CXX11_ABI;
 [[gnu::used]] inline const bool& sameStrings = needs_a_library_built_with_GLIBCXX_USE_CXX11_ABI;
 #endif
 

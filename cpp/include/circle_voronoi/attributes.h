@@ -6,7 +6,7 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The data of a file about its circles beyond x, y and r. Each list is empty or has an entry for each circle.
 struct CircleAttributes {

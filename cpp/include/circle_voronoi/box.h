@@ -3,7 +3,7 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// An axis-parallel rectangle with minX < maxX and minY < maxY.
 struct Box {

@@ -9,25 +9,26 @@
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Returns the circles across the sides of a cell, in the order of the sides. A circle recurs if the two cells share
 /// several edges.
-[[nodiscard]] std::vector<CircleIndex> neighbors(const Diagram& diagram, CircleIndex circle);
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<CircleIndex> neighbors(const Diagram& diagram, CircleIndex circle);
 
 /// Returns the distance of p from a circle in the diagram's metric.
-[[nodiscard]] double distanceFrom(const Diagram& diagram, CircleIndex circle, Point p);
+[[nodiscard]] CIRCLE_VORONOI_API double distanceFrom(const Diagram& diagram, CircleIndex circle, Point p);
 
 /// Returns how much nearer p is to `circle` than to `other`: the difference of their distances, which is negative if
 /// `other` is nearer. It does not cancel if p is far away. For the power metric the difference is divided by a length.
-[[nodiscard]] double distanceDifference(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point p);
+[[nodiscard]] CIRCLE_VORONOI_API double distanceDifference(const Diagram& diagram, CircleIndex circle,
+                                                           CircleIndex other, Point p);
 
 /// Returns whether a cell contains p, up to rounding. Returns false for a hidden circle.
 ///
 /// Compares p with the neighbors only, and with the neighbors of each neighbor that is equally near up to rounding.
 /// That suffices: a ray from the center that leaves the cell across a side stays nearer to the neighbor on that side.
 /// For the power metric a cell is the intersection of half-planes, one for each neighbor.
-[[nodiscard]] bool contains(const Diagram& diagram, CircleIndex circle, Point p);
+[[nodiscard]] CIRCLE_VORONOI_API bool contains(const Diagram& diagram, CircleIndex circle, Point p);
 
 /// A piece of the outline of a clipped cell, with the cell on its left.
 struct OutlinePiece {
@@ -51,7 +52,7 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 
 /// Returns the outline of a bounded cell. It is empty if the cell is unbounded, or there is none. ClippedDiagram clips
 /// cells to a box or another region.
-[[nodiscard]] Outline outline(const Diagram& diagram, CircleIndex circle);
+[[nodiscard]] CIRCLE_VORONOI_API Outline outline(const Diagram& diagram, CircleIndex circle);
 
 /// Returns the outline of the part of a cell within `maxDistance` of its circle: the cell cut by the circle of radius r
 /// + maxDistance around its center. The parts of all cells do not overlap. Together they cover the union of all circles
@@ -62,14 +63,14 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 /// the apex of the side to both ends.
 ///
 /// Precondition: maxDistance is finite and at most kRegionLimit in absolute value, and the metric is not the power.
-[[nodiscard]] Outline outlineWithin(const Diagram& diagram, CircleIndex circle, double maxDistance);
+[[nodiscard]] CIRCLE_VORONOI_API Outline outlineWithin(const Diagram& diagram, CircleIndex circle, double maxDistance);
 /// Returns the enclosed area, exact up to rounding: a polygon, plus the segments between arcs and their chords, whose
 /// closed forms need no functions but square roots.
-[[nodiscard]] double area(const Outline& outline);
+[[nodiscard]] CIRCLE_VORONOI_API double area(const Outline& outline);
 /// Returns the center of mass, exact up to rounding. If the area is zero up to rounding, returns the center of mass of
 /// the end points; (0, 0) for an empty outline.
-[[nodiscard]] Point centroid(const Outline& outline);
+[[nodiscard]] CIRCLE_VORONOI_API Point centroid(const Outline& outline);
 /// Returns the length of all pieces (arcLength).
-[[nodiscard]] double perimeter(const Outline& outline);
+[[nodiscard]] CIRCLE_VORONOI_API double perimeter(const Outline& outline);
 
 }  // namespace circle_voronoi

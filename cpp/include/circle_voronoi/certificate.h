@@ -7,7 +7,7 @@
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/index.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The first reason why a diagram is not certified.
 enum class Flaw {
@@ -25,7 +25,7 @@ enum class Flaw {
 };
 
 /// Returns the name of a flaw, as in the enumeration.
-[[nodiscard]] std::string_view flawName(Flaw flaw);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view flawName(Flaw flaw);
 
 /// The outcome of judging a diagram: either the diagram is proven to be the Voronoi diagram, or the certificate names
 /// the first thing that is wrong.

@@ -6,7 +6,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Judges whether a diagram is the Voronoi diagram of its circles, whatever program made it. Linear time.
 ///
@@ -30,6 +30,6 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 ///
 /// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, coordinateTooSmall,
 /// tooManyCircles, badArithmetic, internal.
-Result<Certificate> certify(const Diagram& diagram);
+CIRCLE_VORONOI_API Result<Certificate> certify(const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -3,7 +3,7 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// A circle with center (x, y) and radius r >= 0. A circle with r = 0 is a point. If radii are additive weights
 /// (Options::weights), r may be negative.

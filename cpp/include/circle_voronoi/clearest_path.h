@@ -9,7 +9,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// A path of greatest clearance: no other path between the same two points stays farther from all circles.
 struct ClearestPath {
@@ -37,6 +37,6 @@ struct ClearestPath {
 /// any path. Dijkstra's algorithm finds it.
 ///
 /// Precondition: the metric is Metric::circles, and there is at least one circle.
-[[nodiscard]] ClearestPath clearestPath(const Diagram& diagram, Point p, Point q);
+[[nodiscard]] CIRCLE_VORONOI_API ClearestPath clearestPath(const Diagram& diagram, Point p, Point q);
 
 }  // namespace circle_voronoi

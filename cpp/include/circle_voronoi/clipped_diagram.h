@@ -18,7 +18,7 @@
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/region.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The parts of cells in a region, as flat arrays. Row k belongs to the k-th cell that was asked for.
 ///
@@ -71,7 +71,7 @@ class ClipParts;
 /// crossings and cells. Exact signs decide which edges it crosses, as if the region were moved by less than any number.
 /// So a corner exactly at a vertex, or a side along an edge, is as good as any other. A judge checks each clip. All
 /// cells on a crossing take the same point from it, to the bit, so that they fit together without gaps and overlaps.
-class ClippedDiagram {
+class CIRCLE_VORONOI_API ClippedDiagram {
  public:
   /// Clips a certified diagram to a region. Cells are also cut at `maxDistance` from their circle, if that is given
   /// (outlineWithin). The diagram and the region must outlive the result.

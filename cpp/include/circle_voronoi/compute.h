@@ -9,7 +9,7 @@
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/options.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Computes the Voronoi diagram of `circles`.
 ///
@@ -48,6 +48,6 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// Errors: nonFinite, negativeRadius (without `weights`), coordinateTooLarge (these three name the first such circle),
 /// coordinateTooSmall, badOption (also for an observer or another method in another metric), tooManyCircles,
 /// notCertified, badArithmetic, internal.
-Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
+CIRCLE_VORONOI_API Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi

@@ -9,7 +9,7 @@
 #include "circle_voronoi/options.h"
 #include "circle_voronoi/periodic_diagram.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Computes the Voronoi diagram of circles in a plane with two periods. The circles may lie anywhere. They may be
 /// larger than the box, hidden, also by images, and their own neighbors.
@@ -35,7 +35,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// Errors: see `compute`; badOption if the periods are not finite, exceed kCoordinateLimit, or are zero or parallel up
 /// to 2^-40 of the largest coordinate, or if an image is 2^30 periods away; tooManyCircles if the circles and their
 /// images exceed kMaxCircles; notCertified if a proof fails.
-Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const Lattice& lattice,
-                                        const Options& options = {});
+CIRCLE_VORONOI_API Result<PeriodicDiagram> computePeriodic(std::span<const Circle> circles, const Lattice& lattice,
+                                                           const Options& options = {});
 
 }  // namespace circle_voronoi

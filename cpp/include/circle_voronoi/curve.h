@@ -10,7 +10,7 @@
 #include "circle_voronoi/metric.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The bisector of two circles: the points at the same distance from both. It is one branch of a hyperbola. Its foci
 /// are the centers, its axis has length 2 |a| = |r_left - r_right|, and it bends around the smaller circle. With the
@@ -37,14 +37,14 @@ struct Bisector {
 
 /// Returns the bisector of two circles that both have a cell. For Metric::power `apex` is where the radical axis
 /// crosses the line of centers, and may be negative. `weights`: as in Options; for Metric::power only.
-[[nodiscard]] Bisector bisector(const Circle& left, const Circle& right, Metric metric = Metric::circles,
-                                bool weights = false);
+[[nodiscard]] CIRCLE_VORONOI_API Bisector bisector(const Circle& left, const Circle& right,
+                                                   Metric metric = Metric::circles, bool weights = false);
 
 /// Returns the point with parameter s.
-[[nodiscard]] Point pointAt(const Bisector& bisector, double s);
+[[nodiscard]] CIRCLE_VORONOI_API Point pointAt(const Bisector& bisector, double s);
 
 /// Returns the parameter of the point of the bisector nearest to `p`. Precondition: `p` lies on it up to rounding.
-[[nodiscard]] double parameterAt(const Bisector& bisector, Point p);
+[[nodiscard]] CIRCLE_VORONOI_API double parameterAt(const Bisector& bisector, Point p);
 
 /// An arc of a bisector, from parameter `from` to parameter `to` >= `from`.
 ///
@@ -65,16 +65,16 @@ struct EdgeCurve {
 };
 
 /// Returns the curve of an edge.
-[[nodiscard]] EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge);
+[[nodiscard]] CIRCLE_VORONOI_API EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge);
 
 /// Returns the curve of a side, with its cell on the left.
-[[nodiscard]] EdgeCurve sideCurve(const Diagram& diagram, SideIndex side);
+[[nodiscard]] CIRCLE_VORONOI_API EdgeCurve sideCurve(const Diagram& diagram, SideIndex side);
 
 /// Returns the same arc in the opposite direction. Left and right are swapped.
-[[nodiscard]] EdgeCurve reversed(const EdgeCurve& curve);
+[[nodiscard]] CIRCLE_VORONOI_API EdgeCurve reversed(const EdgeCurve& curve);
 
 /// Returns the straight segment from `start` to `end`. Precondition: they differ.
-[[nodiscard]] EdgeCurve segment(Point start, Point end);
+[[nodiscard]] CIRCLE_VORONOI_API EdgeCurve segment(Point start, Point end);
 
 /// A conic section as a rational quadratic Bezier curve whose points have the weights 1, `weight`, 1.
 struct RationalBezier {
@@ -85,10 +85,10 @@ struct RationalBezier {
 };
 
 /// Returns the exact form of an arc. Precondition: the arc is bounded.
-[[nodiscard]] RationalBezier rationalBezier(const EdgeCurve& curve);
+[[nodiscard]] CIRCLE_VORONOI_API RationalBezier rationalBezier(const EdgeCurve& curve);
 
 /// Returns the point with parameter u, 0 <= u <= 1.
-[[nodiscard]] Point pointAt(const RationalBezier& bezier, double u);
+[[nodiscard]] CIRCLE_VORONOI_API Point pointAt(const RationalBezier& bezier, double u);
 
 struct CubicBezier {
   Point start;
@@ -100,15 +100,15 @@ struct CubicBezier {
 /// Approximates an arc by cubic Bezier curves that stay within `tolerance` of it. Each curve is as long as the
 /// tolerance allows. It shares the arc's tangents at both ends and touches the arc in the middle, or it is straight. A
 /// tolerance below 1e-12 of the arc's extent is raised to that. Precondition: the arc is bounded.
-[[nodiscard]] std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance);
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance);
 
 /// Approximates an arc by a polyline that stays within `tolerance` of it, with chords as long as the tolerance allows.
 /// Returns its points, at least two. A tolerance below 1e-9 of the arc's extent is raised to that. Precondition: the
 /// arc is bounded.
-[[nodiscard]] std::vector<Point> polyline(const EdgeCurve& curve, double tolerance);
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<Point> polyline(const EdgeCurve& curve, double tolerance);
 
 /// Returns the length of an arc, up to rounding of its ends. It is an elliptic integral, computed by Carlson's
 /// duplication in a few dozen square roots. Precondition: the arc is bounded.
-[[nodiscard]] double arcLength(const EdgeCurve& curve);
+[[nodiscard]] CIRCLE_VORONOI_API double arcLength(const EdgeCurve& curve);
 
 }  // namespace circle_voronoi

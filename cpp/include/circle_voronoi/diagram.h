@@ -15,7 +15,7 @@
 #include "circle_voronoi/stats.h"
 #include "circle_voronoi/vertex.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// An arc of the bisector of the circles `left` and `right`, which lie left and right of it when you walk from vertex
 /// `start` to vertex `end`. An end at infinity is kNone. Two circles may share several edges.
@@ -117,6 +117,6 @@ struct Diagram {
 ///
 /// Returns whether vertices, edges and hull fit together. If they do not, all links are kNone, and `certify` describes
 /// the problem.
-bool linkSides(Diagram& diagram);
+CIRCLE_VORONOI_API bool linkSides(Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -17,7 +17,7 @@
 #include "circle_voronoi/point.h"
 #include "circle_voronoi/trace.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The id of a circle in an editor, from 0. A new circle gets the next id. An id is never reused for another circle: a
 /// circle that was removed can be inserted again under its id (Edit).
@@ -121,7 +121,7 @@ struct EditorOptions {
 /// refuses is an error, also a removal: numbers that are not all 0 may not all be below 2^-56 (1.4e-17).
 ///
 /// Only one thread at a time may use an editor, except that several threads may call const functions.
-class DiagramEditor {
+class CIRCLE_VORONOI_API DiagramEditor {
  public:
   /// Makes an editor. Errors: see `compute`; badOption if the ids, the next id or the number of
   /// threads do not fit.

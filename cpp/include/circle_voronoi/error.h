@@ -11,7 +11,7 @@
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/index.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The kind of an error. Hidden, duplicate and tangent circles are results, not errors.
 /// The names are the same in TypeScript (`errorCodeName`, `web/lib/base/errors.ts`).
@@ -32,7 +32,7 @@ enum class ErrorCode {
 };
 
 /// Returns the name of a code, as in the enumeration. Past the last code the name is empty.
-[[nodiscard]] std::string_view errorCodeName(ErrorCode code);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view errorCodeName(ErrorCode code);
 
 /// The option that the message of an error names. Programs whose options have other names write theirs in its place,
 /// and need not search a message that may quote the user's text.

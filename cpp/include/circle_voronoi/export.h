@@ -20,7 +20,7 @@
 #include "circle_voronoi/point.h"
 #include "circle_voronoi/region.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The part of a diagram to write, and the precision.
 struct ExportOptions {
@@ -53,7 +53,7 @@ struct ExportOptions {
 };
 
 /// Returns the default box if no digits are given.
-[[nodiscard]] Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
+[[nodiscard]] CIRCLE_VORONOI_API Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
 
 // The functions below write a certified diagram to a stream. The polygons of cells are counter-clockwise and do not
 // cross themselves. Polygons of neighbors share their points bit for bit. A cell that is narrower than the rounding of
@@ -75,7 +75,7 @@ struct ExportOptions {
 /// of circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of
 /// negative radius have the class point. The look of a group is attributes, which a style sheet of yours overrides.
 /// Several drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet.
-Result<void> writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// A group of marks in a figure.
 struct SvgLayer {
@@ -98,37 +98,41 @@ struct SvgFigure {
 };
 
 /// Writes a figure.
-Result<void> writeSvgFigure(std::ostream& out, const Diagram& diagram, const SvgFigure& figure);
+CIRCLE_VORONOI_API Result<void> writeSvgFigure(std::ostream& out, const Diagram& diagram, const SvgFigure& figure);
 
 /// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
 /// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
 /// circle, r, area, neighbors (circles), and for hidden circles hiddenBy. If bounds, a region or a maximum distance is
 /// given, neighbors lists only circles that share a part of an edge inside. The member bbox of the collection is the
 /// box to which cells are cut, unless ExportOptions::place is given.
-Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram,
+                                             const ExportOptions& options = {});
 
 /// Writes the features of `writeGeoJson`, one a line, and nothing else. You can concatenate such texts.
-Result<void> writeGeoJsonLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeGeoJsonLines(std::ostream& out, const Diagram& diagram,
+                                                  const ExportOptions& options = {});
 
 /// Writes the cells as well-known text. Line i is the cell of circle i: POLYGON, MULTIPOLYGON or POLYGON EMPTY.
-Result<void> writeWkt(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeWkt(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Writes Wavefront OBJ in the plane z = 0. The object `edges` has the edges as polylines. The object `cells` has the
 /// cells as faces, with a group for each circle.
-Result<void> writeObj(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeObj(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Writes the cells as a table (CSV) with a line for each circle and the columns circle, x, y, r, area, perimeter,
 /// neighbors (circles, with spaces between them), hiddenBy, and those of the attributes. Areas and perimeters of
 /// unbounded cells are `inf`, unless bounds, a region or a maximum distance is given. They keep all digits, unless
 /// ExportOptions::digits is given. Centers are mapped by ExportOptions::place, and the tolerance plays no role.
-Result<void> writeCellsCsv(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeCellsCsv(std::ostream& out, const Diagram& diagram,
+                                              const ExportOptions& options = {});
 
 /// Writes the vertices and edges as a table with the columns type, index, x, y, r, circle1, circle2, circle3, start,
 /// end. A vertex has its disc and its three circles. An edge has its left and right circle and its vertices, -1 for
 /// infinity. The diagram need not be certified.
 ///
 /// `digits` is the largest number of digits that discs have after the decimal point, from 0. By default they have all.
-Result<void> writeDiagramCsv(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
+CIRCLE_VORONOI_API Result<void> writeDiagramCsv(std::ostream& out, const Diagram& diagram,
+                                                std::optional<int> digits = {});
 
 // The functions below write the cells of the given circles of a periodic diagram. The box, the region and the maximum
 // distance of the options must not be given. Errors: see the functions above; badOption.
@@ -136,22 +140,24 @@ Result<void> writeDiagramCsv(std::ostream& out, const Diagram& diagram, std::opt
 /// Writes a drawing of the box with a margin around it. Cells and circles that cross a side of the box are drawn on
 /// both sides. Images outside the box are dimmed. The given circles are the group given, which the drawing uses several
 /// times.
-Result<void> writePeriodicSvg(std::ostream& out, const PeriodicDiagram& periodic, const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writePeriodicSvg(std::ostream& out, const PeriodicDiagram& periodic,
+                                                 const ExportOptions& options = {});
 
 /// Writes the cells as GeoJSON, whole, and around the circles where these were given. The properties are the same as in
 /// `writeGeoJson` for a diagram, plus shifts, which lists the shift of each neighbor. A hidden circle also has
 /// hiderShift.
-Result<void> writePeriodicGeoJson(std::ostream& out, const PeriodicDiagram& periodic,
-                                  const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writePeriodicGeoJson(std::ostream& out, const PeriodicDiagram& periodic,
+                                                     const ExportOptions& options = {});
 
 /// Writes the features of `writeGeoJson`, one a line, and nothing else.
-Result<void> writePeriodicGeoJsonLines(std::ostream& out, const PeriodicDiagram& periodic,
-                                       const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writePeriodicGeoJsonLines(std::ostream& out, const PeriodicDiagram& periodic,
+                                                          const ExportOptions& options = {});
 
 /// Writes the contact table (contactTable) with the columns circle, neighbor, shift_a, shift_b, length, gap, area,
 /// packing_fraction. The last two columns describe the circle. Hidden circles have no contacts and no line.
 ///
 /// `digits` is the largest number of digits after the decimal point, from 0. By default all numbers have all digits.
-Result<void> writeContactsCsv(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {});
+CIRCLE_VORONOI_API Result<void> writeContactsCsv(std::ostream& out, const PeriodicDiagram& periodic,
+                                                 std::optional<int> digits = {});
 
 }  // namespace circle_voronoi

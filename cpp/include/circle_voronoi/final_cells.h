@@ -10,7 +10,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The known properties of the circles that are missing from a diagram: their centers lie outside the box, and their
 /// radii are at most maxRadius. More generally, let inside(p) be the smallest signed distance of p from the lines of
@@ -78,6 +78,6 @@ struct FinalCells {
 /// tooManyCircles, badArithmetic; badOption if the box is empty, or maxRadius is negative or not finite; badInput if
 /// the diagram names circles or vertices that do not exist, or is a power diagram. With Metric::centers all circles are
 /// points, also those outside.
-Result<FinalCells> finalCells(const Diagram& diagram, const MissingCircles& missing);
+CIRCLE_VORONOI_API Result<FinalCells> finalCells(const Diagram& diagram, const MissingCircles& missing);
 
 }  // namespace circle_voronoi

@@ -9,7 +9,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Finds the nearest circle by walking through the cells.
 ///
@@ -21,7 +21,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// way from any point of the cell to p.
 ///
 /// A grid of starting circles keeps the walk short: a step or two if the circles are spread evenly.
-class Finder {
+class CIRCLE_VORONOI_API Finder {
  public:
   /// Takes linear time. The diagram must outlive the finder.
   explicit Finder(const Diagram& diagram);

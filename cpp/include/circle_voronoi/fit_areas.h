@@ -13,7 +13,7 @@
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The state of a fit after a step.
 struct AreaFitStep {
@@ -83,8 +83,8 @@ struct AreaFit {
 /// sum exceeds the largest number, an area is so small or the region so large that a fit leaves the range of numbers),
 /// badOption (also Metric::centers, which has no weights), tooManyCircles (also if memory runs out), notConverged (the
 /// message gives the number of steps and the error reached; the last call of `onStep` got the best weights).
-Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
-                         const AreaFitOptions& options = {});
+CIRCLE_VORONOI_API Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas,
+                                            const Region& region, const AreaFitOptions& options = {});
 
 /// The result of a fit in the box of a lattice.
 struct PeriodicAreaFit {
@@ -103,7 +103,7 @@ struct PeriodicAreaFit {
 /// Sites may lie in any box. With `relax`, a site moves out of its box if its cell does.
 ///
 /// Errors: see `computePeriodic` and the fit in a region. Sites that differ by whole periods are equal.
-Result<PeriodicAreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Lattice& lattice,
-                                 const AreaFitOptions& options = {});
+CIRCLE_VORONOI_API Result<PeriodicAreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas,
+                                                    const Lattice& lattice, const AreaFitOptions& options = {});
 
 }  // namespace circle_voronoi

@@ -10,7 +10,7 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// "None" in place of an index: no circle, no vertex, the unbounded end of an edge.
 inline constexpr std::int32_t kNone = -1;

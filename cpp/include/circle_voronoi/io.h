@@ -17,7 +17,7 @@
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/region.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Whether the circles of a file have radii.
 enum class Radii {
@@ -79,7 +79,8 @@ struct CircleFile {
 /// and what `compute` would reject, so that the message can name the line: nonFinite, negativeRadius,
 /// coordinateTooLarge, coordinateTooSmall, tooManyCircles. badOption if x or y is named for GeoJSON, or for a wrong
 /// crs.
-Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
+CIRCLE_VORONOI_API Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name,
+                                                           const ReadOptions& options = {});
 
 /// Reads circles like `readCircles`, and what the file says about them.
 ///
@@ -94,11 +95,12 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
 /// numbers is a property and also the height of the circle.
 ///
 /// Errors: see `readCircles`; badInput also for a field that is not UTF-8.
-Result<CircleFile> readCircleFile(std::string_view text, std::string_view name, const ReadOptions& options = {});
+CIRCLE_VORONOI_API Result<CircleFile> readCircleFile(std::string_view text, std::string_view name,
+                                                     const ReadOptions& options = {});
 
 /// Returns one number for each circle: a column, a property or a member.
 /// Errors: badInput if a circle has no such number.
-Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::string_view column);
+CIRCLE_VORONOI_API Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::string_view column);
 
 /// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, several of
 /// these one a line, or well-known text (POLYGON, MULTIPOLYGON or a GEOMETRYCOLLECTION of these). Empty parts, an SRID,
@@ -106,7 +108,8 @@ Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::s
 ///
 /// `name` is what errors call the text. Messages about the syntax start with `name:line:`, others with `name:`.
 /// Errors: badInput; see also Region::fromPolygons.
-Result<Region> readRegion(std::string_view text, std::string_view name, const RegionOptions& options = {});
+CIRCLE_VORONOI_API Result<Region> readRegion(std::string_view text, std::string_view name,
+                                             const RegionOptions& options = {});
 
 // The functions below write circles so that `readCircleFile` reads them back to the same bits, with their attributes:
 // as CSV with a header line, as JSON objects, and as GeoJSON Points with the property r. Radii may be negative
@@ -121,12 +124,12 @@ Result<Region> readRegion(std::string_view text, std::string_view name, const Re
 // attributes and circles differ, or attributes are not JSON on one line; notWritten if the stream fails. If the stream
 // throws, its exception passes through.
 
-Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles,
-                             const CircleAttributes& attributes = {});
-Result<void> writeCirclesJson(std::ostream& out, std::span<const Circle> circles,
-                              const CircleAttributes& attributes = {});
-Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles,
-                                 const CircleAttributes& attributes = {});
+CIRCLE_VORONOI_API Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles,
+                                                const CircleAttributes& attributes = {});
+CIRCLE_VORONOI_API Result<void> writeCirclesJson(std::ostream& out, std::span<const Circle> circles,
+                                                 const CircleAttributes& attributes = {});
+CIRCLE_VORONOI_API Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles,
+                                                    const CircleAttributes& attributes = {});
 
 /// The cell of a point.
 struct Found {
@@ -138,8 +141,9 @@ struct Found {
 /// distance, and those of the attributes of the points. `ids` are the ids of all circles (CircleAttributes::ids); if
 /// there are none, there is no column circle_id.
 /// Errors: badInput if the numbers of points, results and attributes differ; notWritten if the stream fails.
-Result<void> writeFoundCsv(std::ostream& out, std::span<const Circle> points, const CircleAttributes& attributes,
-                           std::span<const Found> found, std::span<const std::string> ids = {});
+CIRCLE_VORONOI_API Result<void> writeFoundCsv(std::ostream& out, std::span<const Circle> points,
+                                              const CircleAttributes& attributes, std::span<const Found> found,
+                                              std::span<const std::string> ids = {});
 
 /// Writes a diagram in the project's JSON format, version 1 (README). It records whether radii are weights.
 ///
@@ -149,14 +153,15 @@ Result<void> writeFoundCsv(std::ostream& out, std::span<const Circle> points, co
 ///
 /// Errors: badOption if `digits` is negative; badInput if the numbers of vertexCircles and vertices differ; notWritten
 /// if the stream fails.
-Result<void> writeJson(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
+CIRCLE_VORONOI_API Result<void> writeJson(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
 
 /// Writes a periodic diagram in the same format, with three more members: lattice, the two periods; images, for each
 /// circle of the diagram its given circle and its shift, the given circles first; neighbors, for each given circle the
 /// images beside it, with shifts relative to it. `readDiagram` reads it as the diagram of the images. `attributes` has
 /// an entry for each given circle (writeDiagramFile).
-Result<void> writePeriodicJson(std::ostream& out, const PeriodicDiagram& periodic, std::optional<int> digits = {},
-                               const CircleAttributes& attributes = {});
+CIRCLE_VORONOI_API Result<void> writePeriodicJson(std::ostream& out, const PeriodicDiagram& periodic,
+                                                  std::optional<int> digits = {},
+                                                  const CircleAttributes& attributes = {});
 
 /// A diagram and the attributes of its circles.
 struct DiagramFile {
@@ -167,25 +172,25 @@ struct DiagramFile {
 /// Writes a diagram like `writeJson`, and attributes of its circles: a circle has the members `id`, `z` and
 /// `properties`, and the diagram the member `collection`. Readers that do not know these members skip them.
 /// Errors: see `writeJson`; badInput also if the numbers of attributes and circles differ, or attributes are not JSON.
-Result<void> writeDiagramFile(std::ostream& out, const Diagram& diagram, const CircleAttributes& attributes,
-                              std::optional<int> digits = {});
+CIRCLE_VORONOI_API Result<void> writeDiagramFile(std::ostream& out, const Diagram& diagram,
+                                                 const CircleAttributes& attributes, std::optional<int> digits = {});
 
 /// Reads a diagram in the format of `writeJson`, to the bit. Unknown keys are skipped. Members of `stats` may be
 /// missing. The certificate is not read: call `certify` to get one. If the diagram fits together, its sides are linked
 /// (linkSides). The indices need not fit the circles.
 ///
 /// Errors: see `readCircles`; badInput also for another format or version.
-Result<Diagram> readDiagram(std::string_view text, std::string_view name);
+CIRCLE_VORONOI_API Result<Diagram> readDiagram(std::string_view text, std::string_view name);
 
 /// Reads a diagram like `readDiagram`, and what the file says about its circles.
-Result<DiagramFile> readDiagramFile(std::string_view text, std::string_view name);
+CIRCLE_VORONOI_API Result<DiagramFile> readDiagramFile(std::string_view text, std::string_view name);
 
 /// Returns whether a text is meant for `readDiagram` and not for `readCircles`: a JSON object, or the beginning of one,
 /// with the key `format` and no key of GeoJSON before it.
-[[nodiscard]] bool holdsDiagram(std::string_view text);
+[[nodiscard]] CIRCLE_VORONOI_API bool holdsDiagram(std::string_view text);
 
 /// Writes only the `stats` object of the format of `writeJson`.
 /// Errors: notWritten if the stream fails.
-Result<void> writeStatsJson(std::ostream& out, const Diagram& diagram);
+CIRCLE_VORONOI_API Result<void> writeStatsJson(std::ostream& out, const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -5,7 +5,7 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 // The range of numbers. Coordinates, radii, weights and corners of regions are at most 2^96 in absolute value. Each is
 // rounded once, where it enters, to a multiple of 2^-96 (1.3e-29); every number from 2^-44 (5.7e-14) up is one already.

@@ -8,7 +8,7 @@
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/diagram.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// A diagram with vertices of any degree: vertices joined by edges of length near zero are merged (paper, section 8).
 struct MergedDiagram {
@@ -32,6 +32,7 @@ struct MergedDiagram {
 /// as `nearZero`.
 ///
 /// Precondition: the diagram is certified.
-[[nodiscard]] MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZero = {});
+[[nodiscard]] CIRCLE_VORONOI_API MergedDiagram mergeVertices(const Diagram& diagram,
+                                                             std::optional<double> nearZero = {});
 
 }  // namespace circle_voronoi

@@ -6,7 +6,7 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The method for building a diagram.
 enum class Method {
@@ -33,13 +33,13 @@ enum class Way {
 
 // The names of these values in JSON, in JavaScript and on the command line, such as "auto" and "touching-disc". Past
 // the last value of an enumeration the name is empty.
-[[nodiscard]] std::string_view methodName(Method method);
-[[nodiscard]] std::string_view candidatesName(Candidates candidates);
-[[nodiscard]] std::string_view wayName(Way way);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view methodName(Method method);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view candidatesName(Candidates candidates);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view wayName(Way way);
 
 // The value with a name; nothing if there is none.
-[[nodiscard]] std::optional<Method> methodFromName(std::string_view name);
-[[nodiscard]] std::optional<Candidates> candidatesFromName(std::string_view name);
-[[nodiscard]] std::optional<Way> wayFromName(std::string_view name);
+[[nodiscard]] CIRCLE_VORONOI_API std::optional<Method> methodFromName(std::string_view name);
+[[nodiscard]] CIRCLE_VORONOI_API std::optional<Candidates> candidatesFromName(std::string_view name);
+[[nodiscard]] CIRCLE_VORONOI_API std::optional<Way> wayFromName(std::string_view name);
 
 }  // namespace circle_voronoi

@@ -8,7 +8,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The distance from a circle that defines a diagram. A point belongs to the cell of the nearest circle.
 enum class Metric {
@@ -18,11 +18,11 @@ enum class Metric {
 };
 
 /// Returns the name of a metric, as in the enumeration; past the last one it is empty.
-[[nodiscard]] std::string_view metricName(Metric metric);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view metricName(Metric metric);
 /// Returns the metric with a name; nothing if there is none.
-[[nodiscard]] std::optional<Metric> metricFromName(std::string_view name);
+[[nodiscard]] CIRCLE_VORONOI_API std::optional<Metric> metricFromName(std::string_view name);
 
 /// Returns the distance of p from a circle, whose third number is its radius, or its weight (Options::weights).
-[[nodiscard]] double distance(Metric metric, const Circle& circle, Point p, bool weights = false);
+[[nodiscard]] CIRCLE_VORONOI_API double distance(Metric metric, const Circle& circle, Point p, bool weights = false);
 
 }  // namespace circle_voronoi

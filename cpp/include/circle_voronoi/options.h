@@ -10,7 +10,7 @@
 #include "circle_voronoi/progress.h"
 #include "circle_voronoi/trace.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 inline constexpr int kDefaultDynamicSamples = 1;
 inline constexpr int kDefaultUniformSamples = 50;

@@ -13,7 +13,7 @@
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The two periods of a plane that repeats itself: the sides of a box whose opposite sides are glued together. The box
 /// is any parallelogram. A sheared box (Lees and Edwards) has an oblique period. The periods may have any order and
@@ -71,6 +71,6 @@ struct PeriodicDiagram {
 /// in the other.
 ///
 /// Errors: badInput if the parts of the diagram do not fit together; notCertified if the cells do not, with a circle.
-Result<void> checkPeriodic(const PeriodicDiagram& periodic);
+CIRCLE_VORONOI_API Result<void> checkPeriodic(const PeriodicDiagram& periodic);
 
 }  // namespace circle_voronoi

@@ -11,14 +11,15 @@
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Returns the neighbors of a given circle, in the order of its sides: the images across them. A circle may be its own
 /// neighbor, with a shift that is not zero. An image recurs if the two cells share several edges.
-[[nodiscard]] std::vector<CircleImage> neighbors(const PeriodicDiagram& periodic, CircleIndex circle);
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<CircleImage> neighbors(const PeriodicDiagram& periodic,
+                                                                    CircleIndex circle);
 
 /// Finds the nearest image of a circle, for any point of the plane.
-class PeriodicFinder {
+class CIRCLE_VORONOI_API PeriodicFinder {
  public:
   /// Takes linear time. The diagram must outlive the finder.
   explicit PeriodicFinder(const PeriodicDiagram& periodic);
@@ -57,6 +58,6 @@ struct ContactTable {
 };
 
 /// Measures all borders and cells. Linear time.
-[[nodiscard]] ContactTable contactTable(const PeriodicDiagram& periodic);
+[[nodiscard]] CIRCLE_VORONOI_API ContactTable contactTable(const PeriodicDiagram& periodic);
 
 }  // namespace circle_voronoi

@@ -6,13 +6,13 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// A stage of `compute`, named like its time in Seconds.
 enum class Stage { order, triangulate, sample, pair, touch, flip, repair, certify, assemble };
 
 /// Returns the name of a stage, as in the enumeration, in JSON and in JavaScript.
-[[nodiscard]] std::string_view stageName(Stage stage);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view stageName(Stage stage);
 
 /// A callback that `compute` calls when a stage begins, with `done` = 0. The stages of the touching disc method
 /// (sample, pair, touch) also call it with the part of the stage that is done, up to 1. The method and the input

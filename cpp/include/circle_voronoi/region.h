@@ -14,7 +14,7 @@
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/point.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 struct RegionOptions {
   /// Whether polygons that share sides or overlap, as administrative areas do, become their union. A point belongs to a
@@ -48,7 +48,7 @@ struct RegionOptions {
 /// Numbers are at most 2^96 (7.9e28) in absolute value. Each is rounded once to a multiple of 2^-96 (1.3e-29), as every
 /// number from 2^-44 (5.7e-14) up already is. If the largest number is not 0 and below 2^-56 (1.4e-17), there is an
 /// error.
-class Region {
+class CIRCLE_VORONOI_API Region {
  public:
   using Ring = std::vector<Point>;
 

@@ -11,22 +11,23 @@
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/region.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Returns the largest disc that lies entirely inside a region and overlaps no circle. It may touch the boundary of the
 /// region in place of circles. Without circles it is the largest disc in the region. If circles cover the region,
 /// returns the disc of ClippedDiagram::largestEmptyDisc, whose radius is not positive.
 ///
-/// Rectangles that may hold the center are divided, the most promising first, until few circles and sides are near. Then
-/// the disc that touches each three of them is computed. The result is right up to rounding, and inside the region: the
-/// region contains the center, and the radius is at most the distance to the boundary, up to rounding of itself. For m
-/// circles and sides, it takes O(m log m) steps for most regions, ring corridors, combs, spirals and parallel strips
-/// included. It takes more in thin strips of many directions.
+/// Rectangles that may hold the center are divided, the most promising first, until few circles and sides are near.
+/// Then the disc that touches each three of them is computed. The result is right up to rounding, and inside the
+/// region: the region contains the center, and the radius is at most the distance to the boundary, up to rounding of
+/// itself. For m circles and sides, it takes O(m log m) steps for most regions, ring corridors, combs, spirals and
+/// parallel strips included. It takes more in thin strips of many directions.
 ///
 /// Errors: badOption if the metric is not Metric::circles, or the region is so thin, a few units of rounding wide, that
 /// no disc is found in it; tooManyCircles if memory runs out; the errors of ClippedDiagram::from if circles cover the
 /// region.
-Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, const Region& region);
+CIRCLE_VORONOI_API Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram,
+                                                                           const Region& region);
 
 /// Returns a path of greatest clearance from p to q that stays inside a region, with its curves. Returns nothing only
 /// if p and q lie in different parts of the region. Polygons that touch in a point are one part, and the path may lead
@@ -43,6 +44,7 @@ Result<std::optional<EmptyDisc>> largestEmptyDiscInside(const Diagram& diagram, 
 ///
 /// Errors: badOption if p or q lies outside the region, the metric is not Metric::circles, or there are no circles; see
 /// also ClippedDiagram::from.
-Result<std::optional<ClearestPath>> clearestPath(const Diagram& diagram, Point p, Point q, const Region& region);
+CIRCLE_VORONOI_API Result<std::optional<ClearestPath>> clearestPath(const Diagram& diagram, Point p, Point q,
+                                                                    const Region& region);
 
 }  // namespace circle_voronoi

@@ -9,7 +9,7 @@
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/index.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The sides of a cell in counter-clockwise order: a range of SideIndex. The diagram must outlive it.
 class Sides : public std::ranges::view_base {

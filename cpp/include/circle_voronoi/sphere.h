@@ -17,7 +17,7 @@
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/sides.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The Earth's mean radius in kilometers.
 inline constexpr double kEarthRadius = 6371.0088;
@@ -63,7 +63,7 @@ struct SphereVertex {
 /// ends are kNone. If one cap has a cell, the cell is the whole sphere.
 ///
 /// For n visible caps there are 2 n - 4 vertices and 3 n - 6 edges, if n is at least 3.
-struct SphereDiagram {
+struct CIRCLE_VORONOI_API SphereDiagram {
   /// The caps of the input, hidden ones included.
   std::vector<Cap> caps;
   /// The radius of the sphere.
@@ -130,7 +130,7 @@ struct SphereDiagram {
 /// Errors: nonFinite, negativeRadius (without `weights`), coordinateTooLarge if a latitude is beyond 90 degrees or a
 /// radius is not below half of the circumference (these three name the first such cap), badOption, tooManyCircles,
 /// notCertified, badArithmetic, internal.
-Result<SphereDiagram> computeSphere(std::span<const Cap> caps, const SphereOptions& options = {});
+CIRCLE_VORONOI_API Result<SphereDiagram> computeSphere(std::span<const Cap> caps, const SphereOptions& options = {});
 
 /// Judges whether a diagram is the Voronoi diagram of its caps on the sphere, whatever program made it: each vertex
 /// touches its three caps, counter-clockwise; no cap across an edge reaches into its disc; each hidden cap lies in a
@@ -140,25 +140,30 @@ Result<SphereDiagram> computeSphere(std::span<const Cap> caps, const SphereOptio
 ///
 /// Errors: badInput if the parts of the diagram do not fit together; notCertified if the diagram is not right, with a
 /// cap.
-Result<void> checkSphere(const SphereDiagram& diagram);
+CIRCLE_VORONOI_API Result<void> checkSphere(const SphereDiagram& diagram);
 
 /// Returns the caps across the sides of a cell, in the order of the sides. A cap recurs if the two cells share several
 /// edges.
-[[nodiscard]] std::vector<CircleIndex> neighbors(const SphereDiagram& diagram, CircleIndex cap);
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<CircleIndex> neighbors(const SphereDiagram& diagram, CircleIndex cap);
 
 /// Returns the distance of a place from a cap: along the ground to its center, minus its radius.
-[[nodiscard]] double distanceFrom(const SphereDiagram& diagram, CircleIndex cap, double longitude, double latitude);
+[[nodiscard]] CIRCLE_VORONOI_API double distanceFrom(const SphereDiagram& diagram, CircleIndex cap, double longitude,
+                                                     double latitude);
 
 /// Returns the area of a cell, or of its part within `maxDistance` of its cap. The areas of all cells sum to that of
 /// the sphere. A hidden cap has the area 0.
-[[nodiscard]] double area(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance = {});
+[[nodiscard]] CIRCLE_VORONOI_API double area(const SphereDiagram& diagram, CircleIndex cap,
+                                             std::optional<double> maxDistance = {});
 /// Returns the areas of all cells.
-[[nodiscard]] std::vector<double> areas(const SphereDiagram& diagram, std::optional<double> maxDistance = {});
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<double> areas(const SphereDiagram& diagram,
+                                                           std::optional<double> maxDistance = {});
 
 /// Returns the length of the border of a cell, or of its part within `maxDistance` of its cap.
-[[nodiscard]] double perimeter(const SphereDiagram& diagram, CircleIndex cap, std::optional<double> maxDistance = {});
+[[nodiscard]] CIRCLE_VORONOI_API double perimeter(const SphereDiagram& diagram, CircleIndex cap,
+                                                  std::optional<double> maxDistance = {});
 /// Returns the lengths of the borders of all cells.
-[[nodiscard]] std::vector<double> perimeters(const SphereDiagram& diagram, std::optional<double> maxDistance = {});
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<double> perimeters(const SphereDiagram& diagram,
+                                                                std::optional<double> maxDistance = {});
 
 /// The default tolerance of polygons as a part of the sphere's radius: 64 m on the Earth.
 inline constexpr double kSphereTolerance = 1e-5;
@@ -181,15 +186,16 @@ struct SpherePolygonOptions {
 /// than the tolerance are followed more closely. Where rounding alone makes a ring cross itself, it is divided there.
 ///
 /// Errors: badOption if the tolerance is not finite and positive, or the distance is not finite.
-Result<ClippedPolygons> cellPolygons(const SphereDiagram& diagram, const SpherePolygonOptions& options = {});
+CIRCLE_VORONOI_API Result<ClippedPolygons> cellPolygons(const SphereDiagram& diagram,
+                                                        const SpherePolygonOptions& options = {});
 /// Returns polygons of some cells: row k has those of caps[k].
-Result<ClippedPolygons> cellPolygons(const SphereDiagram& diagram, std::span<const CircleIndex> caps,
-                                     const SpherePolygonOptions& options = {});
+CIRCLE_VORONOI_API Result<ClippedPolygons> cellPolygons(const SphereDiagram& diagram, std::span<const CircleIndex> caps,
+                                                        const SpherePolygonOptions& options = {});
 
 /// Finds the nearest cap of any place on the sphere. It walks through the cells: from any cell to the neighbor that is
 /// nearest to the place, until none is nearer. The cells are star-shaped around their centers, so the walk cannot stop
 /// too early. It starts at the first of a few caps near the place.
-class SphereFinder {
+class CIRCLE_VORONOI_API SphereFinder {
  public:
   /// Takes linear time. The diagram must outlive the finder.
   explicit SphereFinder(const SphereDiagram& diagram);
@@ -217,9 +223,9 @@ struct FarthestPlace {
 /// Returns the place that is farthest from all caps: the center of the largest disc that overlaps no cap. Its distance
 /// is negative if the caps cover the sphere. It is a vertex, or the far point of an edge, or the antipode of a single
 /// cap. Returns nothing if there are no caps. Linear time.
-[[nodiscard]] std::optional<FarthestPlace> farthestPlace(const SphereDiagram& diagram);
+[[nodiscard]] CIRCLE_VORONOI_API std::optional<FarthestPlace> farthestPlace(const SphereDiagram& diagram);
 
 /// Returns the two visible caps with the smallest gap. Returns nothing if fewer than two caps are visible. Linear time.
-[[nodiscard]] std::optional<ClosestPair> closestPair(const SphereDiagram& diagram);
+[[nodiscard]] CIRCLE_VORONOI_API std::optional<ClosestPair> closestPair(const SphereDiagram& diagram);
 
 }  // namespace circle_voronoi

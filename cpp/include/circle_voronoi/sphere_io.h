@@ -9,7 +9,7 @@
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/sphere.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The precision of cells that are written, and what is written with them.
 struct SphereExportOptions {
@@ -34,20 +34,22 @@ struct SphereExportOptions {
 /// the antimeridian or the maximum distance cuts the cell apart, or null without a cell. The properties are circle, r,
 /// area, neighbors, and for hidden caps hiddenBy, as in `writeGeoJson`. The area is that of the true cell, or of its
 /// part within the maximum distance.
-Result<void> writeSphereGeoJson(std::ostream& out, const SphereDiagram& diagram,
-                                const SphereExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeSphereGeoJson(std::ostream& out, const SphereDiagram& diagram,
+                                                   const SphereExportOptions& options = {});
 
 /// Writes the features of `writeSphereGeoJson`, one a line, and nothing else.
-Result<void> writeSphereGeoJsonLines(std::ostream& out, const SphereDiagram& diagram,
-                                     const SphereExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeSphereGeoJsonLines(std::ostream& out, const SphereDiagram& diagram,
+                                                        const SphereExportOptions& options = {});
 
 /// Writes a table with a line for each cap and the columns longitude, latitude, r, area, perimeter, neighbors (indices
 /// with spaces between them), hiddenBy, and those of the attributes. `readCircleFile` reads the caps back.
-Result<void> writeSphereCsv(std::ostream& out, const SphereDiagram& diagram, const SphereExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeSphereCsv(std::ostream& out, const SphereDiagram& diagram,
+                                               const SphereExportOptions& options = {});
 
 /// Writes the diagram as JSON: radius, rounding, caps, hidden, vertices and edges, with indices as in SphereDiagram,
 /// and `weights` if radii are weights. All numbers read back to the same bits. Tolerance, maximum distance and digits
 /// have no effect.
-Result<void> writeSphereJson(std::ostream& out, const SphereDiagram& diagram, const SphereExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writeSphereJson(std::ostream& out, const SphereDiagram& diagram,
+                                                const SphereExportOptions& options = {});
 
 }  // namespace circle_voronoi

@@ -10,7 +10,7 @@
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/method.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The work of each stage.
 struct Counts {

@@ -13,7 +13,7 @@
 #include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/error.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// A column of a table with a value for each row: JSON on one line, null if the row has none.
 struct Column {
@@ -33,7 +33,8 @@ struct Table {
 /// case-insensitive. Strings have the same bytes if their texts are the same.
 ///
 /// `name` is what errors call the text. Errors: badInput; messages start with `name:line:`.
-Result<Table> readTable(std::string_view text, std::string_view name, std::span<const std::string> columns);
+CIRCLE_VORONOI_API Result<Table> readTable(std::string_view text, std::string_view name,
+                                           std::span<const std::string> columns);
 
 // The functions below write a table. All columns have the same number of rows. `polygons` has the polygons of each row.
 //
@@ -41,22 +42,25 @@ Result<Table> readTable(std::string_view text, std::string_view name, std::span<
 // the stream throws, its exception passes through.
 
 /// Writes a table that `readTable` reads. A row without any value is an empty line, which readers skip.
-Result<void> writeTableCsv(std::ostream& out, std::span<const Column> columns);
+CIRCLE_VORONOI_API Result<void> writeTableCsv(std::ostream& out, std::span<const Column> columns);
 
 /// Writes an array of objects, which also have the member `polygons`: the coordinates of a MultiPolygon in GeoJSON.
-Result<void> writeTableJson(std::ostream& out, std::span<const Column> columns, const ClippedPolygons& polygons);
+CIRCLE_VORONOI_API Result<void> writeTableJson(std::ostream& out, std::span<const Column> columns,
+                                               const ClippedPolygons& polygons);
 
 /// Writes a GeoJSON FeatureCollection. The geometry of a row is a Polygon, a MultiPolygon, or null.
-Result<void> writeTableGeoJson(std::ostream& out, std::span<const Column> columns, const ClippedPolygons& polygons);
+CIRCLE_VORONOI_API Result<void> writeTableGeoJson(std::ostream& out, std::span<const Column> columns,
+                                                  const ClippedPolygons& polygons);
 
 /// Writes the features of `writeTableGeoJson`, one a line, and nothing else.
-Result<void> writeTableGeoJsonLines(std::ostream& out, std::span<const Column> columns,
-                                    const ClippedPolygons& polygons);
+CIRCLE_VORONOI_API Result<void> writeTableGeoJsonLines(std::ostream& out, std::span<const Column> columns,
+                                                       const ClippedPolygons& polygons);
 
 /// Draws nested polygons in a box, with y pointing up. `levels` has the level of each row, from 1. The polygons of a
 /// level are a group of the class `level-1`, `level-2` and so on. The deepest level is filled, and the others are drawn
 /// above it with wider strokes. The title of a polygon, which browsers show as a tooltip, has the values of its row.
-Result<void> writeTableSvg(std::ostream& out, std::span<const Column> columns, const ClippedPolygons& polygons,
-                           std::span<const int> levels, const Box& box);
+CIRCLE_VORONOI_API Result<void> writeTableSvg(std::ostream& out, std::span<const Column> columns,
+                                              const ClippedPolygons& polygons, std::span<const int> levels,
+                                              const Box& box);
 
 }  // namespace circle_voronoi

@@ -17,7 +17,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The circles of one part of a large input. Ids tell which circles of the whole input they are.
 struct Tile {
@@ -32,14 +32,14 @@ struct Tile {
 /// default the rows are numbered from 0. `done` has 0 or 1; by default 0. The circles are sorted by id.
 ///
 /// Errors: see `readCircles`; badInput also if the text is JSON, or two circles have the same id.
-Result<Tile> readTile(std::string_view text, std::string_view name, const ReadOptions& options = {});
+CIRCLE_VORONOI_API Result<Tile> readTile(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 /// Reads the table of `readTile` piece by piece, for any number of circles. It needs memory for one piece. Circles come
 /// in the order of the lines. The circles and the first error do not depend on where the text is cut into pieces.
 ///
 /// Errors: see `readTile`, except that equal ids are allowed; badInput also if the first 64 MiB have neither a header
 /// nor a circle.
-class TileStream {
+class CIRCLE_VORONOI_API TileStream {
  public:
   explicit TileStream(std::string name, const ReadOptions& options = {});
   TileStream(TileStream&&) noexcept;
@@ -74,7 +74,7 @@ struct Selection {
 // each circle, and with notWritten if the stream fails.
 
 /// Writes the chosen circles as a table that `readTile` reads, with the columns id, x, y, r and done.
-Result<void> writeTile(std::ostream& out, const Tile& tile, std::span<const std::uint8_t> isChosen);
+CIRCLE_VORONOI_API Result<void> writeTile(std::ostream& out, const Tile& tile, std::span<const std::uint8_t> isChosen);
 
 /// Writes the parts of the diagram that the chosen circles own, one a line. A vertex and an edge belong to their circle
 /// with the lowest id. Hence all tiles together have the lines of the whole diagram, in another order. The columns are
@@ -85,11 +85,11 @@ Result<void> writeTile(std::ostream& out, const Tile& tile, std::span<const std:
 /// - edge: its left circle, which has the lower id, and its right circle; then the third circles of the vertices where
 ///   it starts and ends, -1 for infinity.
 /// - hidden: a circle, and the circle that hides it.
-Result<void> writePartsCsv(std::ostream& out, const Diagram& diagram, const Selection& selection);
+CIRCLE_VORONOI_API Result<void> writePartsCsv(std::ostream& out, const Diagram& diagram, const Selection& selection);
 
 /// Writes the features of `writeGeoJsonLines` for the chosen circles only, with ids in place of indices. Errors: see
 /// also `writeGeoJsonLines`.
-Result<void> writePartsGeoJsonLines(std::ostream& out, const Diagram& diagram, const Selection& selection,
-                                    const ExportOptions& options = {});
+CIRCLE_VORONOI_API Result<void> writePartsGeoJsonLines(std::ostream& out, const Diagram& diagram,
+                                                       const Selection& selection, const ExportOptions& options = {});
 
 }  // namespace circle_voronoi

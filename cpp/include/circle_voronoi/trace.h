@@ -10,7 +10,7 @@
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/vertex.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// The kinds of events.
 ///
@@ -48,7 +48,7 @@ enum class TraceKind {
 };
 
 /// Returns the name of a kind, as in the enumeration and in JavaScript. Past the last kind the name is empty.
-[[nodiscard]] std::string_view traceKindName(TraceKind kind);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view traceKindName(TraceKind kind);
 
 /// One event. Discs are in the units of the input; they are NaN for a face without a disc. Circles are indices of the
 /// input, or ids in an editor; kNone where there is none. A three-touch disc names its circles in the paper's order,

@@ -15,7 +15,7 @@
 #include "circle_voronoi/metric.h"
 #include "circle_voronoi/region.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// A node of the tree of a treemap.
 struct TreemapNode {
@@ -69,6 +69,7 @@ struct Treemap {
 /// Errors: badInput, with a node as `circle`, if there are no nodes, a parent does not come before its child, a second
 /// node has no parent, a value of a leaf is negative or not finite, or all are zero; badOption; notConverged and the
 /// other codes of `fitAreas` with the node whose cell cannot be divided.
-Result<Treemap> treemap(std::span<const TreemapNode> nodes, const Region& region, const TreemapOptions& options = {});
+CIRCLE_VORONOI_API Result<Treemap> treemap(std::span<const TreemapNode> nodes, const Region& region,
+                                           const TreemapOptions& options = {});
 
 }  // namespace circle_voronoi

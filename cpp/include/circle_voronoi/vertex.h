@@ -3,7 +3,7 @@
 
 #include "circle_voronoi/abi.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// A Voronoi vertex (branch point): the center and the radius of the disc that touches its three circles from outside.
 /// The center lies at distance r_i + r from the center of each circle i. The radius is negative where the three circles

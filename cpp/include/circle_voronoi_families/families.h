@@ -11,7 +11,7 @@
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Families of input circles for tests, benchmarks and demonstrations.
 enum class Family {
@@ -82,13 +82,13 @@ struct FamilyInfo {
 };
 
 /// Returns all families, in the order of the enumeration.
-[[nodiscard]] std::span<const FamilyInfo> families();
+[[nodiscard]] CIRCLE_VORONOI_API std::span<const FamilyInfo> families();
 
-[[nodiscard]] std::string_view familyName(Family family);
+[[nodiscard]] CIRCLE_VORONOI_API std::string_view familyName(Family family);
 /// Returns the family with a name; nothing if there is none.
-[[nodiscard]] std::optional<Family> familyFromName(std::string_view name);
+[[nodiscard]] CIRCLE_VORONOI_API std::optional<Family> familyFromName(std::string_view name);
 
 /// Returns exactly `count` circles of a family. The same arguments give the same bits on every platform.
-[[nodiscard]] std::vector<Circle> generate(Family family, std::size_t count, std::uint64_t seed);
+[[nodiscard]] CIRCLE_VORONOI_API std::vector<Circle> generate(Family family, std::size_t count, std::uint64_t seed);
 
 }  // namespace circle_voronoi

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 namespace circle_voronoi {
 
 /// An index that is not kNone, for containers.
-inline std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+inline std::size_t at(std::ptrdiff_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace circle_voronoi

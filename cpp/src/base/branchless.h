@@ -15,7 +15,7 @@ std::size_t select(Number first, Number end, std::array<Number, kRoom>& chosen, 
   std::size_t count = 0;
   for (Number i = first; i < end; ++i) {
     chosen[count] = i;
-    count += condition(i) ? 1 : 0;
+    count += static_cast<std::size_t>(condition(i));
   }
   return count;
 }

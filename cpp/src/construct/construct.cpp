@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "at.h"
 #include "flip.h"
 #include "guarded.h"
 #include "insert.h"
@@ -62,7 +63,7 @@ Construction judged(Topology topology, const Sites& sites, const Observer& obser
 
 void reportOfCenters(const Dual& centers, const Observer& observer) {
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
-    const int i = centers.origin[h];
+    const int i = centers.origin[at(h)];
     const int j = centers.target(h);
     // Each edge once; kPointAtInfinity is below the indices of circles.
     if (i != kPointAtInfinity && i < j) observer({TraceKind::centersJoined, {}, {i, j, kNone}, kNone});
@@ -147,10 +148,10 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
     const auto& [topology, found] = *construction.flawed;
     if (found.circle != kNone) named.insert(found.circle);
     if (found.vertex != kNone) {
-      const auto& triple = topology.vertexCircles[found.vertex];
+      const auto& triple = topology.vertexCircles[at(found.vertex)];
       named.insert(triple.begin(), triple.end());
     }
-    if (found.edge != kNone) named.insert({topology.edges[found.edge].left, topology.edges[found.edge].right});
+    if (found.edge != kNone) named.insert({topology.edges[at(found.edge)].left, topology.edges[at(found.edge)].right});
   } else {
     const auto& [dual, verdict, flawed] = construction;
     if (verdict.circle != kNone) named.insert(verdict.circle);
@@ -159,13 +160,13 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
       named.insert(corners.begin(), corners.end());
     }
     if (const int h = verdict.halfEdge;
-        h != kNone && dual.origin[h] != kPointAtInfinity && dual.target(h) != kPointAtInfinity) {
-      named.insert({dual.origin[h], dual.target(h)});
+        h != kNone && dual.origin[at(h)] != kPointAtInfinity && dual.target(h) != kPointAtInfinity) {
+      named.insert({dual.origin[at(h)], dual.target(h)});
     }
   }
   std::set<int> around = named;
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
-    const int i = centers.origin[h];
+    const int i = centers.origin[at(h)];
     if (i != kPointAtInfinity && (named.empty() || named.contains(centers.target(h)))) around.insert(i);
   }
   return {around.begin(), around.end()};
@@ -204,7 +205,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
                                      Journal& journal, Threads threads) {
   const int n = static_cast<int>(sites.circles.size());
   const int sampleCount = sampleCountOf(options);
-  std::vector<int> angular(n, sampleCount);
+  std::vector<int> angular(sites.circles.size(), sampleCount);
   journal.stats.way = Way::touchingDisc;
   journal.stats.candidates = options.candidates;
   for (int round = 0;; ++round) {
@@ -246,7 +247,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       for (int& count : angular) count = std::clamp(4 * count + 3, 15, kMaxSamples);
       if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostAngularSamples) return result;
     } else {
-      for (const int i : circlesAround(result, sites.centers)) angular[i] = 2 * angular[i] + 1;
+      for (const int i : circlesAround(result, sites.centers)) angular[at(i)] = 2 * angular[at(i)] + 1;
     }
   }
 }
@@ -287,7 +288,7 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
   if (!observer) return {};
   return [&observer, &visible](TraceEvent event) {
     for (CircleIndex& circle : event.circles) {
-      if (circle != kNone) circle = visible[circle];
+      if (circle != kNone) circle = visible[at(circle)];
     }
     observer(event);
   };
@@ -310,7 +311,7 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts
   addCounts(predicates, counts);
   if (!verdict.isRight()) return std::nullopt;
   for (int& corner : solved->dual.origin) {
-    if (corner != kPointAtInfinity) corner = ordered.indices[corner];
+    if (corner != kPointAtInfinity) corner = ordered.indices[at(corner)];
   }
   return std::move(solved->dual);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "certificate_message.h"
 #include "predicates.h"
 #include "validate.h"
@@ -26,7 +27,7 @@ Diagram diagramOf(std::span<const Circle> circles, State state, Threads threads)
     const TopologyFlaw& found = construction.flawed->flaw;
     topology = std::move(construction.flawed->topology);
     diagram.certificate = {found.flaw, found.circle, found.vertex, found.edge, {}};
-    const auto ofInput = [&](CircleIndex& circle) { circle = sites.indices[circle]; };
+    const auto ofInput = [&](CircleIndex& circle) { circle = sites.indices[at(circle)]; };
     for (auto& triple : topology.vertexCircles) {
       const auto& [i, j, k] = triple;
       diagram.vertices.push_back(vertexOf({i, j, k}, {}));
@@ -51,14 +52,14 @@ Diagram diagramOf(std::span<const Circle> circles, State state, Threads threads)
     diagram.vertices.resize(static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), isVertex)));
     threads.forEach(vertices.size(), [&](std::size_t face) {
       if (!isVertex(vertices[face])) return;
-      diagram.vertices[vertices[face]] =
+      diagram.vertices[at(vertices[face])] =
           vertexOf(cornersOf(dual, 3 * static_cast<int>(face)), discs.empty() ? FaceDisc{} : discs[face]);
     });
     // Frees memory before more is needed.
     verdict.proof = {};
     sites.circles = std::vector<Circle>();
     threads.forEach(dual.origin.size(), [&](std::size_t h) {
-      if (int& corner = dual.origin[h]; corner != kPointAtInfinity) corner = sites.indices[corner];
+      if (int& corner = dual.origin[h]; corner != kPointAtInfinity) corner = sites.indices[at(corner)];
     });
     // The place of a flaw is known by its face and half-edge.
     const Dual flawed = verdict.isRight() ? Dual{} : dual;
@@ -73,7 +74,7 @@ Diagram diagramOf(std::span<const Circle> circles, State state, Threads threads)
   diagram.links = std::move(links);
   diagram.hidden = std::move(sites.hidden);
   rotateHull(diagram.hull);
-  if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[diagram.certificate.circle];
+  if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[at(diagram.certificate.circle)];
   diagram.certificate.message = messageOf(diagram.certificate, diagram);
   sites = {};
   diagram.circles.reserve(circles.size());

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "infinity.h"
 #include "insert.h"
 #include "judge.h"
@@ -27,8 +28,8 @@ struct SomeCircles {
 
   SomeCircles(const OrderedCircles& ordered, std::vector<int> places_) : places(std::move(places_)) {
     for (const int i : places) {
-      circles.push_back(ordered.circles[i]);
-      indices.push_back(ordered.indices[i]);
+      circles.push_back(ordered.circles[at(i)]);
+      indices.push_back(ordered.indices[at(i)]);
     }
   }
   operator NumberedCircles() const { return {circles, indices}; }
@@ -42,9 +43,10 @@ struct LargestOfEachCenter {
   explicit LargestOfEachCenter(std::span<const Circle> circles) {
     for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
       // Circles with the same center follow one another.
-      if (places.empty() || circles[i].x != circles[places.back()].x || circles[i].y != circles[places.back()].y) {
+      if (places.empty() || circles[at(i)].x != circles[at(places.back())].x ||
+          circles[at(i)].y != circles[at(places.back())].y) {
         places.push_back(i);
-      } else if (circles[i].r > circles[places.back()].r) {
+      } else if (circles[at(i)].r > circles[at(places.back())].r) {
         places.back() = i;
       }
       which.push_back(static_cast<int>(places.size()) - 1);
@@ -69,23 +71,23 @@ std::optional<FoundSites> hideByInsertion(const OrderedCircles& ordered, Journal
   std::vector<int> rest;
   std::vector<std::pair<int, int>> copies;
   for (int i = 0; i < static_cast<int>(ordered.circles.size()); ++i) {
-    const int k = largest.which[i];
-    if (const int original = apart.places[k]; i != original) {
-      if (ordered.circles[i].r == ordered.circles[original].r) {
+    const int k = largest.which[at(i)];
+    if (const int original = apart.places[at(k)]; i != original) {
+      if (ordered.circles[at(i)].r == ordered.circles[at(original)].r) {
         copies.emplace_back(i, original);
       } else {
         rest.push_back(i);
       }
-    } else if (inserted->isHidden[k]) {
+    } else if (inserted->isHidden[at(k)]) {
       rest.push_back(i);
     } else {
-      numbers[k] = static_cast<int>(seen.size());
+      numbers[at(k)] = static_cast<int>(seen.size());
       seen.push_back(i);
     }
   }
   Dual& dual = inserted->dual;
   for (int& corner : dual.origin) {
-    if (corner != kPointAtInfinity) corner = numbers[corner];
+    if (corner != kPointAtInfinity) corner = numbers[at(corner)];
   }
   const SomeCircles visible(ordered, std::move(seen));
   const SomeCircles hidden(ordered, std::move(rest));
@@ -104,10 +106,10 @@ std::optional<FoundSites> hideByInsertion(const OrderedCircles& ordered, Journal
   for (std::size_t j = 0; j < hidden.places.size(); ++j) {
     const int i = named.hider[j];
     if (i == kNone) return std::nullopt;
-    all.hider[hidden.places[j]] = visible.places[i];
+    all.hider[at(hidden.places[j])] = visible.places[at(i)];
   }
   for (const auto& [copy, original] : copies) {
-    all.hider[copy] = all.hider[original] == kNone ? original : all.hider[original];
+    all.hider[at(copy)] = all.hider[at(original)] == kNone ? original : all.hider[at(original)];
   }
   FilterCounts signs = predicatesApart.counts();
   signs += predicates.counts();

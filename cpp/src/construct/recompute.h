@@ -8,7 +8,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 
-namespace CIRCLE_VORONOI_API circle_voronoi {
+namespace circle_voronoi {
 
 /// Computes the diagram of circles again after they have changed a little, by flips from the diagram `before`, which
 /// has no hidden circles. The result is certified. It is the diagram that `compute` returns, except that its vertices,
@@ -16,6 +16,6 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// now.
 ///
 /// Exported because the library for fits calls it.
-std::optional<Diagram> recompute(const Diagram& before, std::span<const Circle> circles);
+CIRCLE_VORONOI_API std::optional<Diagram> recompute(const Diagram& before, std::span<const Circle> circles);
 
 }  // namespace circle_voronoi

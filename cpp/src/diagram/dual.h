@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "at.h"
 #include "infinity.h"
 
 namespace circle_voronoi {
@@ -20,40 +21,40 @@ struct Dual {
 
   int faceCount() const { return static_cast<int>(origin.size() / 3); }
   int halfEdgeCount() const { return static_cast<int>(origin.size()); }
-  int target(int h) const { return origin[next(h)]; }
+  int target(int h) const { return origin[at(next(h))]; }
   bool isFinite(int face) const {
-    return origin[3 * face] != kPointAtInfinity && origin[3 * face + 1] != kPointAtInfinity &&
-           origin[3 * face + 2] != kPointAtInfinity;
+    return origin[at(3 * face)] != kPointAtInfinity && origin[at(3 * face + 1)] != kPointAtInfinity &&
+           origin[at(3 * face + 2)] != kPointAtInfinity;
   }
 
   /// The next half-edge around the origin of one, counter-clockwise.
-  int around(int h) const { return twin[previous(h)]; }
+  int around(int h) const { return twin[at(previous(h))]; }
 
   /// Returns the next half-edge around the origin of one, clockwise.
-  int aroundClockwise(int h) const { return next(twin[h]); }
+  int aroundClockwise(int h) const { return next(twin[at(h)]); }
 
   /// Returns whether a half-edge and its twin fit together, between two faces and two corners.
   bool fits(int h) const {
-    const int t = twin[h];
-    return t >= 0 && t < halfEdgeCount() && twin[t] == h && t / 3 != h / 3 && origin[t] == target(h) &&
-           target(t) == origin[h] && origin[h] != origin[t];
+    const int t = twin[at(h)];
+    return t >= 0 && t < halfEdgeCount() && twin[at(t)] == h && t / 3 != h / 3 && origin[at(t)] == target(h) &&
+           target(t) == origin[at(h)] && origin[at(h)] != origin[at(t)];
   }
 
   void link(int h, int t) {
-    twin[h] = t;
-    twin[t] = h;
+    twin[at(h)] = t;
+    twin[at(t)] = h;
   }
 
   /// Flips an edge: faces (a, b, c) and (b, a, d), of half-edges h = (a, b) and its twin, become (a, d, c) and
   /// (b, c, d).
   void flip(int h) {
-    const int t = twin[h];
+    const int t = twin[at(h)];
     const int bc = next(h);
     const int ad = next(t);
-    link(h, twin[ad]);
-    link(t, twin[bc]);
-    origin[bc] = origin[previous(t)];
-    origin[ad] = origin[previous(h)];
+    link(h, twin[at(ad)]);
+    link(t, twin[at(bc)]);
+    origin[at(bc)] = origin[at(previous(t))];
+    origin[at(ad)] = origin[at(previous(h))];
     link(bc, ad);
   }
 
@@ -64,7 +65,7 @@ struct Dual {
 
 /// The corners of the face of half-edge h, its origin first.
 inline std::array<int, 3> cornersOf(const Dual& dual, int h) {
-  return {dual.origin[h], dual.target(h), dual.origin[Dual::previous(h)]};
+  return {dual.origin[at(h)], dual.target(h), dual.origin[at(Dual::previous(h))]};
 }
 
 }  // namespace circle_voronoi

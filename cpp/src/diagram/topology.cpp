@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "at.h"
 #include "branchless.h"
 
 namespace circle_voronoi {
@@ -50,11 +51,13 @@ void linkFace(int face, VertexIndex vertex, const Dual& dual, SideOf sideOf, Lin
   if (vertex != kNone) {
     const std::array<SideIndex, 3> own = {sideOf(h), sideOf(h + 1), sideOf(h + 2)};
     const std::array<SideIndex, 3> sides = {own[2] ^ 1, own[0] ^ 1, own[1] ^ 1};
-    links.vertexSides[vertex] = startingAt(sides, first);
-    for (int k = 0; k < 3; ++k) links.nextSide[own[k]] = sides[k];
+    links.vertexSides[at(vertex)] = startingAt(sides, first);
+    for (int k = 0; k < 3; ++k) links.nextSide[at(own[at(k)])] = sides[at(k)];
   } else {
-    const int between = h + (dual.origin[h] == kPointAtInfinity ? 1 : dual.origin[h + 1] == kPointAtInfinity ? 2 : 0);
-    links.nextSide[sideOf(between)] = sideOf(Dual::previous(dual.around(between))) ^ 1;
+    const int between = h + (dual.origin[at(h)] == kPointAtInfinity       ? 1
+                             : dual.origin[at(h + 1)] == kPointAtInfinity ? 2
+                                                                          : 0);
+    links.nextSide[at(sideOf(between))] = sideOf(Dual::previous(dual.around(between))) ^ 1;
   }
 }
 
@@ -62,8 +65,8 @@ void linkFirstSides(std::span<const Edge> edges, Links& links) {
   // The loop runs backwards, so that the first side of a circle is set last.
   auto side = static_cast<std::int32_t>(2 * edges.size());
   for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
-    links.firstSide[edge->right] = --side;
-    links.firstSide[edge->left] = --side;
+    links.firstSide[at(edge->right)] = --side;
+    links.firstSide[at(edge->left)] = --side;
   }
 }
 
@@ -98,7 +101,7 @@ class DualBuilder {
       *links = emptyLinks(topology_.edges.size(), topology_.vertexCircles.size(), circleCount_);
       for (int face = 0; face < dual_.faceCount(); ++face) {
         linkFace(
-            face, face < vertexCount_ ? VertexIndex(face) : VertexIndex(), dual_, [&](int h) { return sideOf_[h]; },
+            face, face < vertexCount_ ? VertexIndex(face) : VertexIndex(), dual_, [&](int h) { return sideOf_[at(h)]; },
             *links);
       }
       linkFirstSides(topology_.edges, *links);
@@ -112,7 +115,7 @@ class DualBuilder {
   std::optional<TopologyFlaw> addVertices() {
     dual_.origin.reserve(3 * (topology_.vertexCircles.size() + topology_.hull.size()));
     for (int vertex = 0; vertex < vertexCount_; ++vertex) {
-      const auto& [i, j, k] = topology_.vertexCircles[vertex];
+      const auto& [i, j, k] = topology_.vertexCircles[at(vertex)];
       if (!isCircle(i) || !isCircle(j) || !isCircle(k) || i == j || j == k || k == i) {
         return TopologyFlaw{Flaw::badIndex, kNone, vertex};
       }
@@ -145,25 +148,25 @@ class DualBuilder {
       // (j, i, infinity) and the next (k, j, infinity) share the edge between j and infinity.
       const int h = 3 * (vertexCount_ + step) + 2;
       const int t = 3 * (vertexCount_ + (step + 1) % steps) + 1;
-      dual_.twin[h] = t;
-      dual_.twin[t] = h;
+      dual_.twin[at(h)] = t;
+      dual_.twin[at(t)] = h;
     }
   }
 
   /// The half-edge left -> right bounds the face of the end of an edge, right -> left that of its start.
   std::optional<TopologyFlaw> link(int index) {
-    const Edge& edge = topology_.edges[index];
+    const Edge& edge = topology_.edges[at(index)];
     if (!isCircle(edge.left) || !isCircle(edge.right) || edge.left == edge.right)
       return TopologyFlaw{Flaw::badIndex, kNone, kNone, index};
     const int h = halfEdge(edge.left, edge.right, edge.end);
     const int t = halfEdge(edge.right, edge.left, edge.start);
-    if (h == kNone || t == kNone || h == t || dual_.twin[h] != kNone || dual_.twin[t] != kNone) {
+    if (h == kNone || t == kNone || h == t || dual_.twin[at(h)] != kNone || dual_.twin[at(t)] != kNone) {
       return TopologyFlaw{Flaw::adjacency, kNone, kNone, index};
     }
-    dual_.twin[h] = t;
-    dual_.twin[t] = h;
-    sideOf_[h] = 2 * index;
-    sideOf_[t] = 2 * index + 1;
+    dual_.twin[at(h)] = t;
+    dual_.twin[at(t)] = h;
+    sideOf_[at(h)] = 2 * index;
+    sideOf_[at(t)] = 2 * index + 1;
     return std::nullopt;
   }
 
@@ -175,7 +178,7 @@ class DualBuilder {
     }
     if (vertex < 0 || vertex >= vertexCount_) return kNone;
     for (int h = 3 * vertex; h < 3 * vertex + 3; ++h) {
-      if (dual_.origin[h] == i && dual_.target(h) == j) return h;
+      if (dual_.origin[at(h)] == i && dual_.target(h) == j) return h;
     }
     return kNone;
   }
@@ -225,18 +228,18 @@ Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int cir
         const int t = sideOrTwin[i];
         const int isFirst = static_cast<int>(i) < t ? 1 : 0;
         const int startsAtCircle = dual.origin[i] != kPointAtInfinity ? 1 : 0;
-        const int endsAtCircle = dual.origin[t] != kPointAtInfinity ? 1 : 0;
+        const int endsAtCircle = dual.origin[at(t)] != kPointAtInfinity ? 1 : 0;
         return (isFirst & startsAtCircle & endsAtCircle) != 0;
       },
       [&](std::size_t i, std::int32_t edge) {
         const int t = sideOrTwin[i];
-        topology.edges[edge] = {dual.origin[i], dual.origin[t], vertexOf[t / 3], vertexOf[i / 3]};
+        topology.edges[at(edge)] = {dual.origin[i], dual.origin[at(t)], vertexOf[at(t / 3)], vertexOf[i / 3]};
         sideOrTwin[i] = ~(2 * edge);
       });
   const auto sideOf = [&](int h) {
-    const int t = sideOrTwin[h];
+    const int t = sideOrTwin[at(h)];
     const int isSecond = t >= 0 ? 1 : 0;
-    return SideIndex(~sideOrTwin[h + isSecond * (t - h)] + isSecond);
+    return SideIndex(~sideOrTwin[at(h + isSecond * (t - h))] + isSecond);
   };
   links = emptyLinks(edgeCount, vertexCount, circleCount);
   threads.forEach(vertexOf.size(), [&](std::size_t i) {
@@ -247,7 +250,7 @@ Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int cir
     linkFace(face, vertexOf[i], dual, sideOf, links, first);
     if (!isVertex(vertexOf[i])) return;
     const auto [a, b, c] = startingAt(corners, first);
-    topology.vertexCircles[vertexOf[i]] = {a, b, c};
+    topology.vertexCircles[at(vertexOf[i])] = {a, b, c};
   });
   linkFirstSides(topology.edges, links);
   const auto atInfinity =
@@ -255,7 +258,7 @@ Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int cir
   if (circleCount == 1) topology.hull.push_back(0);
   if (atInfinity < 0) return topology;
   int start = 3 * atInfinity;
-  while (dual.origin[start] != kPointAtInfinity) ++start;
+  while (dual.origin[at(start)] != kPointAtInfinity) ++start;
   int h = start;
   do {
     topology.hull.push_back(dual.target(h));

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "branchless.h"
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/circle.h"
@@ -29,7 +30,7 @@ class FaceDiscs {
       : circles_(circles),
         dual_(dual),
         predicates_(predicates),
-        discs_(dual.faceCount()),
+        discs_(dual.origin.size() / 3),
         orders_(dual.origin.size(), kUnknownOrder) {
     // Each edge once both its faces have a disc; between two ranges, once both ranges are done. A few faces at a time
     // stay in the cache.
@@ -40,10 +41,10 @@ class FaceDiscs {
           for (std::size_t from = begin; from < end; from += kFacesAtATime) {
             const auto first = static_cast<int>(from);
             const auto last = static_cast<int>(std::min(from + kFacesAtATime, end));
-            for (int face = first; face < last; ++face) discs_[face] = own.disc(cornersOf(dual, 3 * face));
-            const std::size_t count = select(3 * first, 3 * last, halves, [&](int t) { return dual.twin[t] < t; });
+            for (int face = first; face < last; ++face) discs_[at(face)] = own.disc(cornersOf(dual, 3 * face));
+            const std::size_t count = select(3 * first, 3 * last, halves, [&](int t) { return dual.twin[at(t)] < t; });
             for (std::size_t k = 0; k < count; ++k) {
-              const int h = dual.twin[halves[k]];
+              const int h = dual.twin[at(halves[k])];
               if (h < 0) continue;  // an edge may be open
               if (h < 3 * static_cast<int>(begin)) {
                 across[range].push_back(h);
@@ -66,64 +67,64 @@ class FaceDiscs {
   /// last.
   void update(int face) {
     if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
-    discs_[face] = predicates_.disc(cornersOf(dual_, 3 * face));
+    discs_[at(face)] = predicates_.disc(cornersOf(dual_, 3 * face));
     if (orders_.empty()) return;
     changed_.push_back(face);
-    for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[h] = orders_[dual_.twin[h]] = kUnknownOrder;
+    for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[at(h)] = orders_[at(dual_.twin[at(h)])] = kUnknownOrder;
   }
 
   /// Notes that a face has no disc, for example because one of its circles hides another. The face may be one added
   /// after the last.
   void clear(int face) {
     if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
-    discs_[face] = {};
+    discs_[at(face)] = {};
   }
 
   /// Sets the number of faces. Added faces have no disc.
-  void resize(int count) { discs_.resize(count); }
+  void resize(std::size_t count) { discs_.resize(count); }
 
-  void set(int face, const FaceDisc& disc) { discs_[face] = disc; }
+  void set(int face, const FaceDisc& disc) { discs_[at(face)] = disc; }
 
   /// Sets the circles again after they have moved in memory or more were added.
   void setCircles(std::span<const Circle> circles) { circles_ = circles; }
 
-  const FaceDisc& operator[](int face) const { return discs_[face]; }
+  const FaceDisc& operator[](std::size_t face) const { return discs_[face]; }
 
   /// Moves out the discs and orders of the faces that `update` has not changed. The judge finds the others itself, so
   /// that its verdict does not depend on a face being updated after each change.
   Proof takeProof() {
     for (const int face : changed_) {
-      discs_[face] = {};
-      for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[h] = orders_[dual_.twin[h]] = kUnknownOrder;
+      discs_[at(face)] = {};
+      for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[at(h)] = orders_[at(dual_.twin[at(h)])] = kUnknownOrder;
     }
     return {std::move(discs_), std::move(orders_), {}};
   }
 
   /// Returns the direction from the origin of a half-edge to the disc of its face.
   Vector direction(int h) const {
-    const auto [x, y, error] = predicates_.direction(dual_.origin[h], discs_[h / 3]);
+    const auto [x, y, error] = predicates_.direction(dual_.origin[at(h)], discs_[at(h / 3)]);
     return {x, y};
   }
 
   /// Returns whether an edge is known to have no flaw.
-  bool isKnownRight(int h) const { return !orders_.empty() && orders_[h] >= 0; }
+  bool isKnownRight(int h) const { return !orders_.empty() && orders_[at(h)] >= 0; }
 
   /// Returns the same flaw as `flawOf`, but caches the order of the ends of an edge until a face beside the edge
   /// changes.
   Flaw look(int h) {
     if (orders_.empty()) return flawOf(h);
-    if (orders_[h] == kUnknownOrder) {
+    if (orders_[at(h)] == kUnknownOrder) {
       if (const Flaw flaw = noteOrder(h, predicates_); flaw != Flaw::edgeOutOfOrder) return flaw;
     }
-    return orders_[h] >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
+    return orders_[at(h)] >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
   /// Returns whether a ray from the center of the origin of a half-edge goes through its sector, between the rays to
   /// the discs beside it. Returns false if rounding hides whether the sector is almost empty or almost a full turn.
   bool spans(int h, Vector ray) const {
-    const int right = dual_.twin[h] / 3;
-    const Direction before = predicates_.direction(dual_.origin[h], discs_[right]);
-    const Direction after = predicates_.direction(dual_.origin[h], discs_[h / 3]);
+    const int right = dual_.twin[at(h)] / 3;
+    const Direction before = predicates_.direction(dual_.origin[at(h)], discs_[at(right)]);
+    const Direction after = predicates_.direction(dual_.origin[at(h)], discs_[at(h / 3)]);
     const Vector u = {before.x, before.y};
     const Vector v = {after.x, after.y};
     const int turn = crossOf(before, after).sign();
@@ -134,7 +135,7 @@ class FaceDiscs {
   }
 
   /// Returns whether a face has a disc.
-  bool exists(int face) const { return discs_[face].exists; }
+  bool exists(int face) const { return discs_[at(face)].exists; }
 
   /// Returns the flaw that the discs beside an edge show: vertexWithoutDisc, edgeOutOfOrder, or hullNotClosed for an
   /// edge to infinity whose circle lies strictly within the tangent line of its neighbors on the hull. An edge without
@@ -144,12 +145,12 @@ class FaceDiscs {
   /// Returns the flaw of an edge, computed by other predicates on the same circles. Sets `order`, if given, to the
   /// order of the ends of a bounded edge.
   Flaw flawOf(int h, Predicates& predicates, std::int8_t* order = nullptr) const {
-    const int t = dual_.twin[h];
+    const int t = dual_.twin[at(h)];
     if (!exists(h / 3) || !exists(t / 3)) return Flaw::vertexWithoutDisc;
-    const int a = dual_.origin[h];
-    const int b = dual_.origin[t];
-    const int c = dual_.origin[Dual::previous(h)];
-    const int d = dual_.origin[Dual::previous(t)];
+    const int a = dual_.origin[at(h)];
+    const int b = dual_.origin[at(t)];
+    const int c = dual_.origin[at(Dual::previous(h))];
+    const int d = dual_.origin[at(Dual::previous(t))];
     // Counter-clockwise the hull goes d, a, c or c, b, d.
     if (b == kPointAtInfinity) return flawAtInfinity(d, h, c, predicates);
     if (a == kPointAtInfinity) return flawAtInfinity(c, t, d, predicates);
@@ -165,7 +166,7 @@ class FaceDiscs {
   Flaw noteOrder(int h, Predicates& predicates) {
     std::int8_t order = 1;
     const Flaw flaw = flawOf(h, predicates, &order);
-    if (flaw == Flaw::none || flaw == Flaw::edgeOutOfOrder) orders_[h] = orders_[dual_.twin[h]] = order;
+    if (flaw == Flaw::none || flaw == Flaw::edgeOutOfOrder) orders_[at(h)] = orders_[at(dual_.twin[at(h)])] = order;
     return flaw;
   }
 
@@ -173,11 +174,11 @@ class FaceDiscs {
   /// occurs on the right hull again between the circle and the other neighbor, the circle may lie within the tangent
   /// line of the two neighbors, but then its own tangent lines are in order.
   Flaw flawAtInfinity(int before, int h, int after, Predicates& predicates) const {
-    const int circle = dual_.origin[h];
+    const int circle = dual_.origin[at(h)];
     if (before == after || predicates.tangentSide(after, before, circle) >= 0) return Flaw::none;
     const int right = dual_.aroundClockwise(h);
     const int turn =
-        predicates.turn(circle, cornersOf(dual_, right), discs_[right / 3], cornersOf(dual_, h), discs_[h / 3]);
+        predicates.turn(circle, cornersOf(dual_, right), discs_[at(right / 3)], cornersOf(dual_, h), discs_[at(h / 3)]);
     return turn < 0 ? Flaw::hullNotClosed : Flaw::none;
   }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "at.h"
 #include "edge_order.h"
 #include "homogeneous_disc.h"
 #include "settle_ties.h"
@@ -25,7 +26,7 @@ class Flipper {
     // that exceeds the limit is left to insertion.
     const std::int64_t limit = 1000 + 2 * static_cast<std::int64_t>(dual_.faceCount());
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
-      if (discs_.isKnownRight(first) || first > dual_.twin[first] || discs_.look(first) == Flaw::none) continue;
+      if (discs_.isKnownRight(first) || first > dual_.twin[at(first)] || discs_.look(first) == Flaw::none) continue;
       stack_.push_back(first);
       settle(limit);
       if (flips_ == limit) return {flips_, wrongFaces(discs_)};
@@ -52,7 +53,7 @@ class Flipper {
 
  private:
   bool isTie(int h) const {
-    const int t = dual_.twin[h];
+    const int t = dual_.twin[at(h)];
     if (!dual_.isFinite(h / 3) || !dual_.isFinite(t / 3)) return false;
     return orderOfEnds(dual_, h, discs_, predicates_) == 0;
   }
@@ -74,7 +75,7 @@ class Flipper {
       const Flaw flaw = discs_.look(h);
       if (flaw == Flaw::none) continue;
       const auto [a, b, c] = cornersOf(dual_, h);
-      const Quad quad = {a, b, c, dual_.origin[Dual::previous(dual_.twin[h])]};
+      const Quad quad = {a, b, c, dual_.origin[at(Dual::previous(dual_.twin[at(h)]))]};
       if (!isToFlip(h, quad, flaw) || quad == milestone) {
         left_.push_back(h);
         continue;
@@ -94,7 +95,7 @@ class Flipper {
 
   /// Returns whether an edge with a flaw should be flipped, because the edge across may be better.
   bool isToFlip(int h, const Quad& quad, Flaw flaw) const {
-    const int t = dual_.twin[h];
+    const int t = dual_.twin[at(h)];
     const auto [a, b, c, d] = quad;
     if (c == d) return false;  // the flipped edge would be a loop
     if (flaw == Flaw::vertexWithoutDisc) {
@@ -111,16 +112,16 @@ class Flipper {
   /// to lie along one tangent line, and c, in the middle, crosses that of a and b.
   bool isTopOf(int a, int b, int c) const {
     const auto square = [this](int i, int j) {
-      const Difference d(circles_[i], circles_[j]);
+      const Difference d(circles_[at(i)], circles_[at(j)]);
       return lorentzDot(d, d);
     };
     return square(a, b) >= std::max(square(b, c), square(c, a));
   }
 
   void flipEdge(int h) {
-    const int t = dual_.twin[h];
+    const int t = dual_.twin[at(h)];
     if (watcher_ != nullptr) {
-      for (const int changed : {h, t, dual_.twin[Dual::next(t)], dual_.twin[Dual::next(h)]}) {
+      for (const int changed : {h, t, dual_.twin[at(Dual::next(t))], dual_.twin[at(Dual::next(h))]}) {
         watcher_->willChange(changed / 3);
       }
     }

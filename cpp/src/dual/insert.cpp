@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "dual_keeper.h"
 #include "face_discs.h"
 #include "insert_cell.h"
@@ -26,10 +27,10 @@ std::vector<int> orderInRounds(std::size_t count) {
   constexpr int kRounds = 16;
   const auto roundOf = [](std::size_t i) { return kRounds - 1 - std::min(kRounds - 1, std::countr_zero(mix(i)) / 2); };
   std::array<std::size_t, kRounds + 1> first{};
-  for (std::size_t i = 0; i < count; ++i) ++first[roundOf(i) + 1];
-  for (int round = 1; round <= kRounds; ++round) first[round] += first[round - 1];
+  for (std::size_t i = 0; i < count; ++i) ++first[at(roundOf(i) + 1)];
+  for (int round = 1; round <= kRounds; ++round) first[at(round)] += first[at(round - 1)];
   std::vector<int> order(count);
-  for (std::size_t i = 0; i < count; ++i) order[first[roundOf(i)]++] = static_cast<int>(i);
+  for (std::size_t i = 0; i < count; ++i) order[first[at(roundOf(i))]++] = static_cast<int>(i);
   return order;
 }
 
@@ -89,16 +90,16 @@ class Inserter : private DualKeeper {
     std::vector<int> order = orderInRounds(circles_.size());
     if (order.empty()) return Inserted{};
     // Start with the largest circle, which no other hides. Then two circles stay visible unless it hides all others.
-    const auto largest =
-        std::max_element(order.begin(), order.end(), [&](int i, int j) { return circles_[i].r < circles_[j].r; });
+    const auto largest = std::max_element(order.begin(), order.end(),
+                                          [&](int i, int j) { return circles_[at(i)].r < circles_[at(j)].r; });
     std::rotate(order.begin(), largest, largest + 1);
     std::size_t second = 1;
-    for (; second < order.size() && hides(order[0], order[second]); ++second) isHidden_[order[second]] = 1;
+    for (; second < order.size() && hides(order[0], order[second]); ++second) isHidden_[at(order[second])] = 1;
     if (second < order.size()) {
       start(order[0], order[second]);
       for (std::size_t i = second + 1; i < order.size(); ++i) wait(order[i], order[0], order[second]);
       for (std::size_t i = second + 1; i < order.size(); ++i) {
-        if (!isHidden_[order[i]] && !insert(order[i])) return std::nullopt;
+        if (!isHidden_[at(order[i])] && !insert(order[i])) return std::nullopt;
       }
     }
     return Inserted{compact(), std::move(isHidden_), inserter_.flips()};
@@ -106,15 +107,15 @@ class Inserter : private DualKeeper {
 
  private:
   bool hides(int i, int j) const {
-    return circles_[i].r >= circles_[j].r && predicates_.contains(circles_[i], circles_[j]);
+    return circles_[at(i)].r >= circles_[at(j)].r && predicates_.contains(circles_[at(i)], circles_[at(j)]);
   }
 
   void start(int a, int b) {
     dual_.origin = {a, b, kPointAtInfinity, b, a, kPointAtInfinity};
     dual_.twin = {3, 5, 4, 0, 2, 1};
     waiting_.resize(6);
-    edgeOf_[a] = 0;
-    edgeOf_[b] = 3;
+    edgeOf_[at(a)] = 0;
+    edgeOf_[at(b)] = 3;
     for (const int face : {0, 1}) discs_.update(face);
   }
 
@@ -124,13 +125,13 @@ class Inserter : private DualKeeper {
 
   /// Whether circle b is nearer to the center of circle j than circle a is.
   bool isNearer(int j, int a, int b) const {
-    return leadOf({circles_[j].x, circles_[j].y}, circles_[a], circles_[b]).value > 0;
+    return leadOf({circles_[at(j)].x, circles_[at(j)].y}, circles_[at(a)], circles_[at(b)]).value > 0;
   }
 
   /// Whether the circle of the cell in which the center of circle j lies hides j, which then waits no longer.
   bool isKnownHidden(int i, int j) {
     if (!hides(i, j)) return false;
-    isHidden_[j] = 1;
+    isHidden_[at(j)] = 1;
     waiting_.leave(j);
     return true;
   }
@@ -139,15 +140,15 @@ class Inserter : private DualKeeper {
   void wait(int j, int a, int b) {
     const int from = isNearer(j, a, b) ? b : a;
     if (isKnownHidden(from, j)) return;
-    const int h = edgeOf_[from];
-    const double nearness = bisectorOf(h).nearness(Ray(circles_[from], circles_[j]));
+    const int h = edgeOf_[at(from)];
+    const double nearness = bisectorOf(h).nearness(Ray(circles_[at(from)], circles_[at(j)]));
     waiting_.add(nearness > 0 ? h : dual_.around(h), j);
   }
 
   /// The bisector of a half-edge.
   Bisector bisectorOf(int h) const {
     const int b = dual_.target(h);
-    return b == kPointAtInfinity ? Bisector() : Bisector(circles_[dual_.origin[h]], circles_[b]);
+    return b == kPointAtInfinity ? Bisector() : Bisector(circles_[at(dual_.origin[at(h)])], circles_[at(b)]);
   }
 
   /// Whether all went well.
@@ -159,7 +160,7 @@ class Inserter : private DualKeeper {
         settle(i);
         break;
       case CellInserter::Outcome::hidden:
-        isHidden_[i] = 1;
+        isHidden_[at(i)] = 1;
         break;
       case CellInserter::Outcome::astray:
         return false;
@@ -188,15 +189,17 @@ class Inserter : private DualKeeper {
   void dropEdge(int h) override { waiting_.take(h, arrivals_); }
 
   /// Whether the center of circle j lies in the sector of h, up to rounding.
-  bool spans(int h, int j) const { return discs_.spans(h, between(circles_[dual_.origin[h]], circles_[j])); }
+  bool spans(int h, int j) const {
+    return discs_.spans(h, between(circles_[at(dual_.origin[at(h)])], circles_[at(j)]));
+  }
 
   /// Moves the circles that wait beside the new cell to their new sectors.
   void settle(int i) {
-    const int first = edgeOf_[i];
+    const int first = edgeOf_[at(i)];
     int spoke = first;
     do {
       const int a = dual_.target(spoke);
-      if (a != kPointAtInfinity) settleBeside(i, dual_.twin[spoke]);
+      if (a != kPointAtInfinity) settleBeside(i, dual_.twin[at(spoke)]);
       spoke = dual_.around(spoke);
     } while (spoke != first);
     if (!arrivals_.empty()) settleInside(i);
@@ -205,7 +208,7 @@ class Inserter : private DualKeeper {
 
   /// Settles the waiting circles at one edge to the new circle and at the two edges beside it.
   void settleBeside(int i, int toNew) {
-    const int a = dual_.origin[toNew];
+    const int a = dual_.origin[at(toNew)];
     const int right = dual_.aroundClockwise(toNew);
     const int left = dual_.around(toNew);
     movers_.clear();
@@ -213,9 +216,9 @@ class Inserter : private DualKeeper {
     if (movers_.empty()) return;
     const Bisector toRight = bisectorOf(right);
     const Bisector toLeft = bisectorOf(left);
-    const Bisector toMiddle(circles_[a], circles_[i]);
+    const Bisector toMiddle(circles_[at(a)], circles_[at(i)]);
     for (const int j : movers_) {
-      const Ray ray(circles_[a], circles_[j]);
+      const Ray ray(circles_[at(a)], circles_[at(j)]);
       if (isNearer(j, a, i)) {
         if (!isKnownHidden(i, j)) arrivals_.push_back(j);
         continue;
@@ -250,7 +253,7 @@ class Inserter : private DualKeeper {
   /// Finds sectors for the circles whose centers lie in the new cell.
   void settleInside(int i) {
     sectors_.clear();
-    const int first = edgeOf_[i];
+    const int first = edgeOf_[at(i)];
     int spoke = first;
     do {
       // The next sector begins where this one ends.
@@ -261,7 +264,7 @@ class Inserter : private DualKeeper {
     std::sort(sectors_.begin(), sectors_.end(),
               [](const Sector& a, const Sector& b) { return std::pair(a.angle, a.h) < std::pair(b.angle, b.h); });
     for (const int j : arrivals_) {
-      const Ray ray(circles_[i], circles_[j]);
+      const Ray ray(circles_[at(i)], circles_[at(j)]);
       const bool areFew = sectors_.size() <= kFewSectors;
       int h = areFew ? kPointAtInfinity : sectorByAngle(ray, j);
       if (h == kPointAtInfinity) {
@@ -307,8 +310,8 @@ class Inserter : private DualKeeper {
         continue;
       }
       for (int k = 0; k < 3; ++k) {
-        dual_.origin[3 * *hole + k] = dual_.origin[3 * count + k];
-        dual_.link(3 * *hole + k, dual_.twin[3 * count + k]);
+        dual_.origin[at(3 * *hole + k)] = dual_.origin[at(3 * count + k)];
+        dual_.link(3 * *hole + k, dual_.twin[at(3 * count + k)]);
       }
       ++hole;
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "at.h"
+
 namespace circle_voronoi {
 
 CellInserter::Outcome CellInserter::insert(int i, int likely) {
@@ -27,20 +29,20 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdge(int likely, int i) {
     auto edge = cutEdgeAround(start, i);
     if (!edge || edge->cut.isCut) return edge;
     const int nearest = nearestAround(start, i);
-    if (leadAt(i, dual_.origin[start], dual_.target(nearest)).sign() <= 0) break;
-    start = dual_.twin[nearest];
+    if (leadAt(i, dual_.origin[at(start)], dual_.target(nearest)).sign() <= 0) break;
+    start = dual_.twin[at(nearest)];
   }
   return cutEdgeBeyond(start, i);
 }
 
 std::optional<CellInserter::CutEdge> CellInserter::cutEdgeBeyond(int start, int i) {
-  std::set<int> seen = {dual_.origin[start]};
+  std::set<int> seen = {dual_.origin[at(start)]};
   std::vector<int> spokes = {start};
   for (std::size_t next = 0; next < spokes.size(); ++next) {
     int h = spokes[next];
     do {
-      const int beyond = dual_.twin[h];
-      if (dual_.origin[beyond] != kPointAtInfinity && seen.insert(dual_.origin[beyond]).second) {
+      const int beyond = dual_.twin[at(h)];
+      if (dual_.origin[at(beyond)] != kPointAtInfinity && seen.insert(dual_.origin[at(beyond)]).second) {
         auto edge = cutEdgeAround(beyond, i);
         if (!edge || edge->cut.isCut) return edge;
         spokes.push_back(beyond);
@@ -68,7 +70,7 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int
     hider_ = a;
     return true;
   };
-  if (isHider(dual_.origin[likely])) return std::nullopt;
+  if (isHider(dual_.origin[at(likely)])) return std::nullopt;
   int left = likely;
   int right = likely;
   do {
@@ -86,7 +88,7 @@ CellInserter::Disc CellInserter::faceDisc(const Predicates::Triple& corners) con
   return {corners, predicates_.disc(corners)};
 }
 
-CellInserter::Disc CellInserter::discAt(int h) const { return {cornersOf(dual_, h), discs_[h / 3]}; }
+CellInserter::Disc CellInserter::discAt(int h) const { return {cornersOf(dual_, h), discs_[at(h / 3)]}; }
 
 bool CellInserter::isTangentLine(const Disc& disc) {
   return std::find(disc.corners.begin(), disc.corners.end(), kPointAtInfinity) != disc.corners.end();
@@ -101,8 +103,8 @@ int CellInserter::orderAlongEdge(int a, int b, const Disc& first, const Disc& se
 CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   const auto [a, b, c] = cornersOf(dual_, h);
   if (hides(i, a) || (b != kPointAtInfinity && hides(i, b))) return {true, true, false};
-  const int t = dual_.twin[h];
-  const int d = dual_.origin[Dual::previous(t)];
+  const int t = dual_.twin[at(h)];
+  const int d = dual_.origin[at(Dual::previous(t))];
   if (b == kPointAtInfinity) {
     const int start = predicates_.tangentSide(a, d, i);
     const int end = predicates_.tangentSide(c, a, i);
@@ -134,13 +136,13 @@ void CellInserter::renewDisc(int face, int i) {
   bool isLost = false;
   for (const int corner : cornersOf(dual_, 3 * face)) {
     if (corner == i || corner == kPointAtInfinity) continue;
-    if (!isHidden_[corner] && hides(i, corner)) {
+    if (!isHidden_[at(corner)] && hides(i, corner)) {
       keeper_.willHide(corner);
-      isHidden_[corner] = 1;
+      isHidden_[at(corner)] = 1;
       hidden_.push_back(corner);
       lost_.push_back(corner);
     }
-    isLost = isLost || isHidden_[corner];
+    isLost = isLost || isHidden_[at(corner)];
   }
   if (isLost) {
     discs_.clear(face);
@@ -151,23 +153,23 @@ void CellInserter::renewDisc(int face, int i) {
 
 void CellInserter::split(const CutEdge& edge, int i) {
   const int h = edge.h;
-  const int t = dual_.twin[h];
+  const int t = dual_.twin[at(h)];
   const Disc near = edge.cut.hasStart ? discAt(t) : edge.cut.hasEnd ? discAt(h) : Disc{};
   const int atH = 3 * keeper_.addFace();
   const int atT = 3 * keeper_.addFace();
   keeper_.willChange(h / 3);
   keeper_.willChange(t / 3);
   const auto fill = [&](int first, int beyond) {
-    dual_.origin[first] = dual_.target(beyond);
-    dual_.origin[first + 1] = dual_.origin[beyond];
-    dual_.origin[first + 2] = i;
+    dual_.origin[at(first)] = dual_.target(beyond);
+    dual_.origin[at(first + 1)] = dual_.origin[at(beyond)];
+    dual_.origin[at(first + 2)] = i;
     dual_.link(first, beyond);
   };
   fill(atH, h);
   fill(atT, t);
   dual_.link(atH + 1, atT + 2);
   dual_.link(atH + 2, atT + 1);
-  edgeOf_[i] = atH + 2;
+  edgeOf_[at(i)] = atH + 2;
   renewDisc(atH / 3, i);
   renewDisc(atT / 3, i);
   stack_ = {{atH, edge.cut.hasEnd, near}, {atT, edge.cut.hasStart, near}};
@@ -175,7 +177,7 @@ void CellInserter::split(const CutEdge& edge, int i) {
 
 bool CellInserter::isLost(const Link& link, int i) const {
   // The edge across would be a loop.
-  if (dual_.origin[Dual::previous(dual_.twin[link.h])] == i) return false;
+  if (dual_.origin[at(Dual::previous(dual_.twin[at(link.h)]))] == i) return false;
   if (link.isWithin || !discs_.exists(link.h / 3)) return true;
   const bool hasNear = link.near.corners[0] != link.near.corners[1];
   return isAtInfinity(link.h) && hasNear ? isHullLost(link) : discs_.flawOf(link.h) != Flaw::none;
@@ -183,9 +185,9 @@ bool CellInserter::isLost(const Link& link, int i) const {
 
 bool CellInserter::isHullLost(const Link& link) const {
   const Disc border = discAt(link.h);
-  const Disc beyond = discAt(dual_.twin[link.h]);
-  const bool isOutgoing = dual_.origin[link.h] != kPointAtInfinity;
-  const int from = isOutgoing ? dual_.origin[link.h] : dual_.target(link.h);
+  const Disc beyond = discAt(dual_.twin[at(link.h)]);
+  const bool isOutgoing = dual_.origin[at(link.h)] != kPointAtInfinity;
+  const int from = isOutgoing ? dual_.origin[at(link.h)] : dual_.target(link.h);
   const int sign = turns(from, border, beyond, link.near);
   if (sign != 0) return isOutgoing ? sign > 0 : sign < 0;
   // Two of the three discs are equal or opposite. If the old ones are equal, the new cell covers both.
@@ -202,7 +204,7 @@ int CellInserter::turns(int from, const Disc& first, const Disc& second, const D
 }
 
 bool CellInserter::isAtInfinity(int h) const {
-  return dual_.origin[h] == kPointAtInfinity || dual_.target(h) == kPointAtInfinity;
+  return dual_.origin[at(h)] == kPointAtInfinity || dual_.target(h) == kPointAtInfinity;
 }
 
 int CellInserter::turn(int from, const Disc& first, const Disc& second) const {
@@ -210,14 +212,14 @@ int CellInserter::turn(int from, const Disc& first, const Disc& second) const {
 }
 
 void CellInserter::flipEdge(int h, int i) {
-  const int t = dual_.twin[h];
+  const int t = dual_.twin[at(h)];
   const int bi = Dual::next(h);
   const int ad = Dual::next(t);
   const int ia = Dual::previous(h);
   const int db = Dual::previous(t);
   const Disc lost = discAt(t);
-  for (const int changed : {h, t, dual_.twin[ad], dual_.twin[bi]}) keeper_.willChange(changed / 3);
-  keeper_.replaceEdge(h, dual_.twin[ia]);
+  for (const int changed : {h, t, dual_.twin[at(ad)], dual_.twin[at(bi)]}) keeper_.willChange(changed / 3);
+  keeper_.replaceEdge(h, dual_.twin[at(ia)]);
   keeper_.replaceEdge(bi, t);
   keeper_.replaceEdge(ad, h);
   dual_.flip(h);
@@ -229,7 +231,7 @@ void CellInserter::flipEdge(int h, int i) {
 }
 
 bool CellInserter::isWithin(int h, const Disc& lost) const {
-  const int a = dual_.origin[h];
+  const int a = dual_.origin[at(h)];
   const int b = dual_.target(h);
   if (!discs_.exists(h / 3)) return true;
   if (a == kPointAtInfinity || b == kPointAtInfinity || isTangentLine(lost)) return false;
@@ -246,11 +248,11 @@ bool CellInserter::removeLost() {
 }
 
 bool CellInserter::remove(int circle) {
-  const int g = edgeOf_[circle];
+  const int g = edgeOf_[at(circle)];
   const int h = dual_.around(g);
   if (h == g || dual_.around(h) != g) return false;
-  const int pq = dual_.twin[Dual::next(h)];
-  const int qp = dual_.twin[Dual::next(g)];
+  const int pq = dual_.twin[at(Dual::next(h))];
+  const int qp = dual_.twin[at(Dual::next(g))];
   if (pq / 3 == g / 3) return false;
   keeper_.dropEdge(g);
   keeper_.dropEdge(h);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/circle.h"
 #include "dual.h"
 #include "dual_keeper.h"
@@ -110,7 +111,7 @@ class CellInserter {
     Disc near;      ///< of an old face that is gone; without corners if it was on no disc that the new cell came in
   };
 
-  const Circle& circle(int i) const { return discs_.circles()[i]; }
+  const Circle& circle(int i) const { return discs_.circles()[at(i)]; }
   bool hides(int i, int j) const { return circle(i).r >= circle(j).r && predicates_.contains(circle(i), circle(j)); }
   /// Returns how much nearer circle b is to the center of circle i than circle a is.
   Estimate leadAt(int i, int a, int b) const { return leadOf(centerOf(circle(i)), circle(a), circle(b)); }
@@ -181,7 +182,7 @@ class CellInserter {
   bool remove(int circle);
 
   void noteEdge(int h) {
-    if (dual_.origin[h] != kPointAtInfinity) edgeOf_[dual_.origin[h]] = h;
+    if (dual_.origin[at(h)] != kPointAtInfinity) edgeOf_[at(dual_.origin[at(h)])] = h;
   }
 
   Dual& dual_;

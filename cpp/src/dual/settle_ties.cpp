@@ -15,8 +15,8 @@ namespace {
 /// Returns whether the center of one circle is less than that of another, by x and then y. Circles with cells have
 /// different centers.
 bool isLess(std::span<const Circle> circles, int i, int j) {
-  const Circle& a = circles[i];
-  const Circle& b = circles[j];
+  const Circle& a = circles[at(i)];
+  const Circle& b = circles[at(j)];
   return std::pair(a.x, a.y) < std::pair(b.x, b.y);
 }
 
@@ -126,7 +126,7 @@ void settleTies(Dual& dual, Verdict& verdict, std::span<const Circle> circles, P
   Proof& proof = verdict.proof;
   Prover prover(dual, circles, predicates, proof.discs, proof.halfEdges);
   for (const int face : changed) {
-    proof.discs[face] = predicates.disc(cornersOf(dual, 3 * face));
+    proof.discs[at(face)] = predicates.disc(cornersOf(dual, 3 * face));
     prover.proveFace(face);
   }
   for (const int face : changed) {
@@ -135,10 +135,10 @@ void settleTies(Dual& dual, Verdict& verdict, std::span<const Circle> circles, P
 }
 
 bool isSettledTie(const Dual& dual, int h, std::span<const Circle> circles) {
-  const int t = dual.twin[h];
+  const int t = dual.twin[at(h)];
   const auto less = [&](int i, int j) { return isLess(circles, i, j); };
-  const int endOfBoth = std::max(dual.origin[h], dual.origin[t], less);
-  const int beside = std::max(dual.origin[Dual::previous(h)], dual.origin[Dual::previous(t)], less);
+  const int endOfBoth = std::max(dual.origin[at(h)], dual.origin[at(t)], less);
+  const int beside = std::max(dual.origin[at(Dual::previous(h))], dual.origin[at(Dual::previous(t))], less);
   return isLess(circles, endOfBoth, beside);
 }
 

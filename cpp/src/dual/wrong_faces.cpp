@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wrong_faces.h"
 
+#include "at.h"
 #include "sort_unique.h"
 
 namespace circle_voronoi {
@@ -9,7 +10,7 @@ namespace {
 void addWrong(const FaceDiscs& discs, int h, std::vector<int>& wrong) {
   const Flaw flaw = discs.flawOf(h);
   if (flaw == Flaw::none) return;
-  for (const int face : {h / 3, discs.dual().twin[h] / 3}) {
+  for (const int face : {h / 3, discs.dual().twin[at(h)] / 3}) {
     if (flaw != Flaw::vertexWithoutDisc || !discs.exists(face)) wrong.push_back(face);
   }
 }
@@ -26,7 +27,7 @@ std::vector<int> wrongFaces(const FaceDiscs& discs, std::span<const int> edges) 
 std::vector<int> wrongFaces(const FaceDiscs& discs) {
   std::vector<int> wrong;
   for (int h = 0; h < discs.dual().halfEdgeCount(); ++h) {
-    if (h < discs.dual().twin[h]) addWrong(discs, h, wrong);
+    if (h < discs.dual().twin[at(h)]) addWrong(discs, h, wrong);
   }
   sortUnique(wrong);
   return wrong;

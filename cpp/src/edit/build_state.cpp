@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "construct.h"
 #include "guarded.h"
 #include "validate.h"
@@ -23,20 +24,20 @@ void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
   int place = 0;
   for (const bool isVertex : {true, false}) {
     for (int face = 0; face < dual.faceCount(); ++face) {
-      if (dual.isFinite(face) == isVertex) placeOf[face] = place++;
+      if (dual.isFinite(face) == isVertex) placeOf[at(face)] = place++;
     }
   }
-  for (int face = 0; face < dual.faceCount(); ++face) state.discs.set(placeOf[face], proof.discs[face]);
+  for (int face = 0; face < dual.faceCount(); ++face) state.discs.set(placeOf[at(face)], proof.discs[at(face)]);
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    const int at = 3 * placeOf[h / 3] + h % 3;
-    state.dual.origin[at] = dual.origin[h];
-    state.dual.twin[at] = 3 * placeOf[dual.twin[h] / 3] + dual.twin[h] % 3;
-    state.proof[at] = proof.halfEdges[h];
-    state.noteEdge(at);
+    const int to = 3 * placeOf[at(h / 3)] + h % 3;
+    state.dual.origin[at(to)] = dual.origin[at(h)];
+    state.dual.twin[at(to)] = 3 * placeOf[at(dual.twin[at(h)] / 3)] + dual.twin[at(h)] % 3;
+    state.proof[at(to)] = proof.halfEdges[at(h)];
+    state.noteEdge(to);
   }
   int edges = 0;
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[state.dual.twin[h]] = edges++;
+    if (state.isEdge(h)) state.edgeNumber[at(h)] = state.edgeNumber[at(state.dual.twin[at(h)])] = edges++;
   }
   state.edgeNumbers = NumberPool(edges);
 }
@@ -45,13 +46,13 @@ void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
 
 std::array<int, 3> slotsOfVertex(const EditState& state, int face) {
   auto slots = cornersOf(state.dual, 3 * face);
-  const auto isBefore = [&](int a, int b) { return state.sites[a].id < state.sites[b].id; };
+  const auto isBefore = [&](int a, int b) { return state.sites[at(a)].id < state.sites[at(b)].id; };
   std::rotate(slots.begin(), std::min_element(slots.begin(), slots.end(), isBefore), slots.end());
   return slots;
 }
 
 Vertex vertexOfFace(const EditState& state, int face) {
-  return state.predicates.vertex(cornersOf(state.dual, 3 * face), state.discs[face]).value_or(Vertex{});
+  return state.predicates.vertex(cornersOf(state.dual, 3 * face), state.discs[at(face)]).value_or(Vertex{});
 }
 
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
@@ -85,15 +86,15 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   state->sizeToNumbers();
   std::vector<int> slots(circles.size(), kNone);  // the slot of each index
   int slot = 0;
-  for (; slot < state->visibleCount; ++slot) slots[sites.indices[slot]] = slot;
-  for (const HiddenCircle& hidden : sites.hidden) slots[hidden.circle] = slot++;
+  for (; slot < state->visibleCount; ++slot) slots[at(sites.indices[at(slot)])] = slot;
+  for (const HiddenCircle& hidden : sites.hidden) slots[at(hidden.circle)] = slot++;
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    state->circles[slots[i]] = rounded[i];
-    state->sites[slots[i]].id = ids[i];
+    state->circles[at(slots[i])] = rounded[i];
+    state->sites[at(slots[i])].id = ids[i];
     state->ids.add(ids[i], slots[i]);
     state->sizes.add(rounded[i], 1);
   }
-  for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
+  for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[at(hidden.circle)], slots[at(hidden.by)]);
   state->nextId = std::max(nextId, ids.empty() ? CircleId(0) : CircleId(ids.back() + 1));
   fillFaces(*state, construction.dual, construction.verdict.proof);
   state->prepareToCommit();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "at.h"
 #include "build_state.h"
 
 namespace circle_voronoi {
@@ -30,16 +31,16 @@ void addVertex(Change& change, const EditState& state, int face) {
   const auto [i, j, k] = slotsOfVertex(state, face);
   change.addedVertices.push_back(face);
   change.vertices.push_back(vertexOfFace(state, face));
-  change.vertexCircles.push_back({state.sites[i].id, state.sites[j].id, state.sites[k].id});
+  change.vertexCircles.push_back({state.sites[at(i)].id, state.sites[at(j)].id, state.sites[at(k)].id});
 }
 
 /// Adds an edge of the new diagram.
 void addEdge(Change& change, const EditState& state, int h) {
-  const int t = state.dual.twin[h];
+  const int t = state.dual.twin[at(h)];
   const auto vertexOf = [&](int face) { return state.dual.isFinite(face) ? face : kNone; };
-  change.addedEdges.push_back(state.edgeNumber[h]);
+  change.addedEdges.push_back(state.edgeNumber[at(h)]);
   change.edges.push_back(
-      {state.idOf(state.dual.origin[h]), state.idOf(state.dual.origin[t]), vertexOf(t / 3), vertexOf(h / 3)});
+      {state.idOf(state.dual.origin[at(h)]), state.idOf(state.dual.origin[at(t)]), vertexOf(t / 3), vertexOf(h / 3)});
 }
 
 /// A step of the hull, given by h, an edge between two circles in a face at infinity. It leads from the side of h,
@@ -51,33 +52,33 @@ struct HullStep {
 
 HullStep hullStep(const Dual& dual, int h) {
   const int toInfinity = Dual::previous(h);
-  return {toInfinity, dual.twin[Dual::previous(dual.twin[toInfinity])]};
+  return {toInfinity, dual.twin[at(Dual::previous(dual.twin[at(toInfinity)]))]};
 }
 
 /// Returns the half-edge between the two circles of a face at infinity.
 int hullEdge(const Dual& dual, int face) {
   int h = 3 * face;
-  while (dual.origin[Dual::previous(h)] != kPointAtInfinity) ++h;
+  while (dual.origin[at(Dual::previous(h))] != kPointAtInfinity) ++h;
   return h;
 }
 
 void addHullSide(Change& change, const EditState& state, int h) {
   const auto sideOf = [&](int side) {
-    return 2 * state.edgeNumber[side] + static_cast<int>(side > state.dual.twin[side]);
+    return 2 * state.edgeNumber[at(side)] + static_cast<int>(side > state.dual.twin[at(side)]);
   };
   change.hullSides.push_back({sideOf(h), sideOf(hullStep(state.dual, h).fromInfinity)});
 }
 
 void addCircles(Change& change, const EditState& state) {
   for (const auto* list : {&change.inserted, &change.replaced}) {
-    for (const CircleId id : *list) change.circles.push_back(state.circles[state.ids.slotOf(id)]);
+    for (const CircleId id : *list) change.circles.push_back(state.circles[at(state.ids.slotOf(id))]);
   }
 }
 
 }  // namespace
 
 Result<Change> ChangeRecorder::record(EditState& state, EditWay way) {
-  for (const int slot : marked_) marks_[slot] = {};
+  for (const int slot : marked_) marks_[at(slot)] = {};
   marked_.clear();
   marks_.resize(state.sites.size());
   Change change;
@@ -94,7 +95,7 @@ Result<Change> ChangeRecorder::record(EditState& state, EditWay way) {
 }
 
 ChangeRecorder::Mark& ChangeRecorder::markOf(int slot) {
-  Mark& mark = marks_[slot];
+  Mark& mark = marks_[at(slot)];
   if (!mark.isListed) {
     marked_.push_back(slot);
     mark.isListed = true;
@@ -105,23 +106,23 @@ ChangeRecorder::Mark& ChangeRecorder::markOf(int slot) {
 void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
   for (const EditState::SavedSite& saved : state.siteLog) {
     if (saved.before != kNone) continue;
-    const CircleId id = state.sites[saved.slot].id;
+    const CircleId id = state.sites[at(saved.slot)].id;
     const bool was = saved.site.id != kNone;
     const bool is = id != kNone;
     const bool isVisible = state.isVisible(saved.slot);
     if (was && !is) change.removed.push_back(saved.site.id);
     if (is && !was) change.inserted.push_back(id);
-    if (is && was && saved.circle != state.circles[saved.slot]) {
+    if (is && was && saved.circle != state.circles[at(saved.slot)]) {
       change.replaced.push_back(id);
       markOf(saved.slot).isMoved = true;
     }
     if (was && isVisible && !saved.wasVisible()) change.shown.push_back(id);
     if (!is || isVisible) continue;
     const bool isNew = !was || saved.wasVisible();
-    const int hider = state.sites[saved.slot].hider;
+    const int hider = state.sites[at(saved.slot)].hider;
     if (isNew) change.hidden.push_back(id);
     // An edit does not reuse slots that it releases, so a slot still stands for the same circle.
-    if (isNew || saved.site.hider != hider) change.hiders.push_back({id, state.sites[hider].id});
+    if (isNew || saved.site.hider != hider) change.hiders.push_back({id, state.sites[at(hider)].id});
   }
   addCircles(change, state);
 }
@@ -130,7 +131,7 @@ void ChangeRecorder::recordVertices(Change& change, EditState& state) {
   for (EditState::SavedFace& saved : state.faceLog) {
     if (saved.before != kNone) continue;
     const auto corners = cornersOf(state.dual, 3 * saved.face);
-    const auto isMoved = [&](int slot) { return slot != kPointAtInfinity && marks_[slot].isMoved; };
+    const auto isMoved = [&](int slot) { return slot != kPointAtInfinity && marks_[at(slot)].isMoved; };
     const bool isInUse = state.isInUse(saved.face);
     saved.isChanged = isInUse != saved.wasInUse() || corners != saved.origin ||
                       (isInUse && std::any_of(corners.begin(), corners.end(), isMoved));
@@ -144,7 +145,7 @@ void ChangeRecorder::recordVertices(Change& change, EditState& state) {
 /// Returns whether half-edge k of a saved face belongs to another edge now: a face beside it has changed, or it has
 /// another twin.
 bool isOtherEdge(const EditState& state, const EditState::SavedFace& saved, std::size_t k) {
-  const int t = state.dual.twin[3 * saved.face + static_cast<int>(k)];
+  const int t = state.dual.twin[at(3 * saved.face + static_cast<int>(k))];
   if (saved.isChanged || t != saved.twin[k]) return true;
   const EditState::SavedFace* beyond = state.firstSaved(t / 3);
   return beyond != nullptr && beyond->isChanged;
@@ -155,7 +156,7 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
   const auto addCell = [&](int slot) {
     if (slot == kPointAtInfinity || !state.isVisible(slot)) return;
     Mark& mark = markOf(slot);
-    if (!mark.hasCell) change.cells.push_back(state.sites[slot].id);
+    if (!mark.hasCell) change.cells.push_back(state.sites[at(slot)].id);
     mark.hasCell = true;
   };
   for (const EditState::SavedFace& saved : state.faceLog) {
@@ -175,19 +176,20 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
     if (saved.before != kNone) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const int h = 3 * saved.face + static_cast<int>(k);
-      const int t = dual.twin[h];
+      const int t = dual.twin[at(h)];
       if (!state.isInUse(saved.face) || !isOtherEdge(state, saved, k)) continue;
       if (!state.isEdge(h)) {
         // An edge at infinity has no number. Any other edge is added by its other half.
-        if (dual.origin[h] == kPointAtInfinity || dual.target(h) == kPointAtInfinity) state.edgeNumber[h] = kNone;
+        if (dual.origin[at(h)] == kPointAtInfinity || dual.target(h) == kPointAtInfinity)
+          state.edgeNumber[at(h)] = kNone;
         continue;
       }
       const EdgeIndex number =
           reused < change.removedEdges.size() ? change.removedEdges[reused++] : EdgeIndex(state.edgeNumbers.take());
-      state.edgeNumber[h] = state.edgeNumber[t] = number;
+      state.edgeNumber[at(h)] = state.edgeNumber[at(t)] = number;
       addEdge(change, state, h);
-      addCell(dual.origin[h]);
-      addCell(dual.origin[t]);
+      addCell(dual.origin[at(h)]);
+      addCell(dual.origin[at(t)]);
     }
   }
   for (; reused < change.removedEdges.size(); ++reused) state.edgeNumbers.release(change.removedEdges[reused]);
@@ -228,7 +230,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
       change.removed.push_back(id);
       return;
     }
-    if (before.circles[slot] != after.circles[now]) change.replaced.push_back(id);
+    if (before.circles[at(slot)] != after.circles[at(now)]) change.replaced.push_back(id);
     if (before.isVisible(slot) && !after.isVisible(now)) change.hidden.push_back(id);
     if (!before.isVisible(slot) && after.isVisible(now)) change.shown.push_back(id);
   });
@@ -240,8 +242,9 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
       return;
     }
     if (was == kNone) change.hidden.push_back(id);
-    const CircleId by = after.sites[after.sites[slot].hider].id;
-    const bool isSame = was != kNone && !before.isVisible(was) && before.sites[before.sites[was].hider].id == by;
+    const CircleId by = after.sites[at(after.sites[at(slot)].hider)].id;
+    const bool isSame =
+        was != kNone && !before.isVisible(was) && before.sites[at(before.sites[at(was)].hider)].id == by;
     if (!isSame) change.hiders.push_back({id, by});
   });
   addCircles(change, after);
@@ -252,7 +255,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
     if (after.isVertex(face)) addVertex(change, after, face);
   }
   for (int h = 0; h < before.dual.halfEdgeCount(); ++h) {
-    if (before.isEdge(h)) change.removedEdges.push_back(before.edgeNumber[h]);
+    if (before.isEdge(h)) change.removedEdges.push_back(before.edgeNumber[at(h)]);
   }
   for (int h = 0; h < after.dual.halfEdgeCount(); ++h) {
     if (after.isEdge(h)) addEdge(change, after, h);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_state.h"
 
+#include "at.h"
+
 namespace circle_voronoi {
 
 void EditState::sizeToNumbers() {
@@ -8,7 +10,7 @@ void EditState::sizeToNumbers() {
   dual.twin.resize(3 * faces, kNone);
   proof.resize(3 * faces);
   edgeNumber.resize(3 * faces, kNone);
-  discs.resize(static_cast<int>(faces));
+  discs.resize(faces);
   // The size of `origin` counts the faces. So if memory runs out in between, the arrays above are no smaller.
   dual.origin.resize(3 * faces, kPointAtInfinity);
   savedFaceAt_.resize(faces, kNone);
@@ -33,26 +35,27 @@ int EditState::addFace() {
 
 void EditState::removeFace(int face) {
   willChange(face);
-  for (int h = 3 * face; h < 3 * face + 3; ++h) dual.twin[h] = kNone;
+  for (int h = 3 * face; h < 3 * face + 3; ++h) dual.twin[at(h)] = kNone;
   faceNumbers.release(face);
   --faceCount;
 }
 
 void EditState::willChange(int face) {
   if (reporter != nullptr) reporter->willChange(face);
-  const int last = savedFaceAt_[face];
+  const int last = savedFaceAt_[at(face)];
   if (last != kNone && static_cast<std::size_t>(last) >= stepFaces_) return;
   const int h = 3 * face;
-  const auto three = [h](const auto& list) { return std::array{list[h], list[h + 1], list[h + 2]}; };
-  faceLog.push_back({face, last, three(dual.origin), three(dual.twin), three(edgeNumber), three(proof), discs[face]});
-  savedFaceAt_[face] = static_cast<int>(faceLog.size() - 1);
+  const auto three = [h](const auto& list) { return std::array{list[at(h)], list[at(h + 1)], list[at(h + 2)]}; };
+  faceLog.push_back(
+      {face, last, three(dual.origin), three(dual.twin), three(edgeNumber), three(proof), discs[at(face)]});
+  savedFaceAt_[at(face)] = static_cast<int>(faceLog.size() - 1);
 }
 
 void EditState::willChangeSite(int slot) {
-  const int last = savedSiteAt_[slot];
+  const int last = savedSiteAt_[at(slot)];
   if (last != kNone && static_cast<std::size_t>(last) >= stepSites_) return;
-  siteLog.push_back({slot, last, sites[slot], circles[slot], hasNoCell[slot]});
-  savedSiteAt_[slot] = static_cast<int>(siteLog.size() - 1);
+  siteLog.push_back({slot, last, sites[at(slot)], circles[at(slot)], hasNoCell[at(slot)]});
+  savedSiteAt_[at(slot)] = static_cast<int>(siteLog.size() - 1);
 }
 
 int EditState::addSite(const Circle& circle, CircleId id) {
@@ -62,10 +65,10 @@ int EditState::addSite(const Circle& circle, CircleId id) {
   const bool isNew = id == kNone;
   if (isNew) id = nextId;
   ids.add(id, slot);
-  sites[slot] = {id};
+  sites[at(slot)] = {id};
   if (isNew) ++nextId;
-  circles[slot] = circle;
-  hasNoCell[slot] = 1;
+  circles[at(slot)] = circle;
+  hasNoCell[at(slot)] = 1;
   ++circleCount;
   sizes.add(circle, 1);
   return slot;
@@ -74,46 +77,46 @@ int EditState::addSite(const Circle& circle, CircleId id) {
 void EditState::removeSite(int slot) {
   willChangeSite(slot);
   siteNumbers.release(slot);
-  sites[slot].id = kNone;  // if it still has a list, the judge rejects the step
+  sites[at(slot)].id = kNone;  // if it still has a list, the judge rejects the step
   --circleCount;
-  sizes.add(circles[slot], -1);
+  sizes.add(circles[at(slot)], -1);
 }
 
 void EditState::setCircle(int slot, const Circle& circle) {
   willChangeSite(slot);
-  sizes.add(circles[slot], -1);
-  circles[slot] = circle;
+  sizes.add(circles[at(slot)], -1);
+  circles[at(slot)] = circle;
   sizes.add(circle, 1);
 }
 
 void EditState::attach(int slot, int hider) {
   willChangeSite(slot);
   willChangeSite(hider);
-  const int next = sites[hider].firstHidden;
+  const int next = sites[at(hider)].firstHidden;
   if (next != kNone) {
     willChangeSite(next);
-    sites[next].previous = slot;
+    sites[at(next)].previous = slot;
   }
-  sites[hider].firstHidden = slot;
-  sites[slot].hider = hider;
-  sites[slot].next = next;
-  sites[slot].previous = kNone;
-  hasNoCell[slot] = 1;
+  sites[at(hider)].firstHidden = slot;
+  sites[at(slot)].hider = hider;
+  sites[at(slot)].next = next;
+  sites[at(slot)].previous = kNone;
+  hasNoCell[at(slot)] = 1;
 }
 
 void EditState::detach(int slot) {
   willChangeSite(slot);
-  Site& site = sites[slot];
+  Site& site = sites[at(slot)];
   if (site.previous != kNone) {
     willChangeSite(site.previous);
-    sites[site.previous].next = site.next;
+    sites[at(site.previous)].next = site.next;
   } else {
     willChangeSite(site.hider);
-    sites[site.hider].firstHidden = site.next;
+    sites[at(site.hider)].firstHidden = site.next;
   }
   if (site.next != kNone) {
     willChangeSite(site.next);
-    sites[site.next].previous = site.previous;
+    sites[at(site.next)].previous = site.previous;
   }
   site.hider = site.next = site.previous = kNone;
 }
@@ -129,11 +132,11 @@ void EditState::rollBack(const Mark& mark) noexcept {
   while (siteLog.size() > mark.sites) {
     const SavedSite& saved = siteLog.back();
     const int slot = saved.slot;
-    if (saved.site.id == kNone && sites[slot].id != kNone) ids.remove(sites[slot].id);
-    sites[slot] = saved.site;
-    circles[slot] = saved.circle;
-    hasNoCell[slot] = saved.hasNoCell;
-    savedSiteAt_[slot] = saved.before;
+    if (saved.site.id == kNone && sites[at(slot)].id != kNone) ids.remove(sites[at(slot)].id);
+    sites[at(slot)] = saved.site;
+    circles[at(slot)] = saved.circle;
+    hasNoCell[at(slot)] = saved.hasNoCell;
+    savedSiteAt_[at(slot)] = saved.before;
     siteLog.pop_back();
   }
   for (std::size_t i = faceLog.size(); i-- > mark.faces;) {
@@ -146,7 +149,7 @@ void EditState::rollBack(const Mark& mark) noexcept {
       proof[h] = saved.proof[k];
     }
     discs.set(saved.face, saved.disc);
-    savedFaceAt_[saved.face] = saved.before;
+    savedFaceAt_[at(saved.face)] = saved.before;
   }
   for (std::size_t i = mark.faces; i < faceLog.size(); ++i) noteEdgesOf(faceLog[i].face);
   faceLog.resize(mark.faces);
@@ -177,10 +180,10 @@ void EditState::prepareToCommit() {
 void EditState::commit() noexcept {
   for (const SavedSite& saved : siteLog) {
     const CircleId id = saved.site.id;
-    if (id != kNone && sites[saved.slot].id != id && ids.slotOf(id) != kNone) ids.remove(id);
-    savedSiteAt_[saved.slot] = kNone;
+    if (id != kNone && sites[at(saved.slot)].id != id && ids.slotOf(id) != kNone) ids.remove(id);
+    savedSiteAt_[at(saved.slot)] = kNone;
   }
-  for (const SavedFace& saved : faceLog) savedFaceAt_[saved.face] = kNone;
+  for (const SavedFace& saved : faceLog) savedFaceAt_[at(saved.face)] = kNone;
   siteLog.clear();
   faceLog.clear();
   faceNumbers.commit();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/editor.h"
 #include "circle_voronoi/index.h"
@@ -86,23 +87,23 @@ class EditState final : public DualKeeper {
   NumberPool siteNumbers;
   NumberPool edgeNumbers;
 
-  bool isVisible(int slot) const { return sites[slot].id != kNone && !hasNoCell[slot]; }
-  bool isInUse(int face) const { return dual.twin[3 * face] != kNone; }
+  bool isVisible(int slot) const { return sites[at(slot)].id != kNone && !hasNoCell[at(slot)]; }
+  bool isInUse(int face) const { return dual.twin[at(3 * face)] != kNone; }
   /// Returns whether a face is a vertex of the diagram.
   bool isVertex(int face) const { return isInUse(face) && dual.isFinite(face); }
   /// Returns whether a half-edge represents an edge of the diagram. One of two twins does, and its origin is the left
   /// circle.
   bool isEdge(int h) const {
-    return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kPointAtInfinity &&
+    return isInUse(h / 3) && h < dual.twin[at(h)] && dual.origin[at(h)] != kPointAtInfinity &&
            dual.target(h) != kPointAtInfinity;
   }
   /// Returns whether one circle hides another, that is, contains it. If two circles are identical, the lower id hides
   /// the other.
   bool hides(int slot, int other) {
-    return predicates.contains(circles[slot], circles[other]) &&
-           !(circles[slot] == circles[other] && sites[slot].id > sites[other].id);
+    return predicates.contains(circles[at(slot)], circles[at(other)]) &&
+           !(circles[at(slot)] == circles[at(other)] && sites[at(slot)].id > sites[at(other)].id);
   }
-  CircleId idOf(int corner) const { return corner == kPointAtInfinity ? CircleId() : sites[corner].id; }
+  CircleId idOf(int corner) const { return corner == kPointAtInfinity ? CircleId() : sites[at(corner)].id; }
   LiveDual live() { return {dual, discs, edgeOf, hasNoCell, *this}; }
 
   // --- changes ---
@@ -116,7 +117,7 @@ class EditState final : public DualKeeper {
   void willChangeSite(int slot);
 
   void noteEdge(int h) {
-    if (dual.origin[h] != kPointAtInfinity) edgeOf[dual.origin[h]] = h;
+    if (dual.origin[at(h)] != kPointAtInfinity) edgeOf[at(dual.origin[at(h)])] = h;
   }
 
   // A circle that is neither in a list nor in the dual counts as hidden.
@@ -180,12 +181,12 @@ class EditState final : public DualKeeper {
   /// Begins a step: from now on, faces and sites are saved again before they change.
   Mark beginStep();
   void rollBack(const Mark& mark) noexcept;
-  const SavedFace* savedInStep(int face) const { return find(faceLog, savedFaceAt_[face], stepFaces_); }
+  const SavedFace* savedInStep(int face) const { return find(faceLog, savedFaceAt_[at(face)], stepFaces_); }
   /// Returns a face in the committed state; null if it has not changed.
   const SavedFace* firstSaved(int face) const {
-    int at = savedFaceAt_[face];
-    while (at != kNone && faceLog[at].before != kNone) at = faceLog[at].before;
-    return find(faceLog, at, 0);
+    int entry = savedFaceAt_[at(face)];
+    while (entry != kNone && faceLog[at(entry)].before != kNone) entry = faceLog[at(entry)].before;
+    return find(faceLog, entry, 0);
   }
   std::size_t stepFaces() const { return stepFaces_; }
   std::size_t stepSites() const { return stepSites_; }
@@ -206,8 +207,8 @@ class EditState final : public DualKeeper {
   void noteEdgesOf(int face) noexcept;
 
   template <class Saved>
-  static const Saved* find(const std::vector<Saved>& log, int at, std::size_t from) {
-    return at != kNone && static_cast<std::size_t>(at) >= from ? &log[static_cast<std::size_t>(at)] : nullptr;
+  static const Saved* find(const std::vector<Saved>& log, int entry, std::size_t from) {
+    return entry != kNone && at(entry) >= from ? &log[at(entry)] : nullptr;
   }
 
   std::vector<int> savedFaceAt_;  ///< for each face its last place in the log, or kNone

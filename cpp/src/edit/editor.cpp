@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "build_state.h"
 #include "certify_circles.h"
 #include "change_record.h"
@@ -76,7 +77,7 @@ class DiagramEditor::Editor {
   /// Returns the slot of a circle, or kNone. A circle that was removed in the same batch has none.
   int slotOf(CircleId id) const {
     const int slot = state_->ids.slotOf(id);
-    return slot != kNone && state_->sites[slot].id == id ? slot : kNone;
+    return slot != kNone && state_->sites[at(slot)].id == id ? slot : kNone;
   }
 
   /// Sets the observer, and records all faces for it. While an observer is called, this waits until the call returns.
@@ -304,7 +305,7 @@ class DiagramEditor::Editor {
     };
     state_->ids.forEach([&](CircleId id, int slot) {
       awaitBelow(id);
-      entries.push_back({id, state_->circles[slot], Presence::present});
+      entries.push_back({id, state_->circles[at(slot)], Presence::present});
     });
     awaitBelow(nextId);
     const auto isBefore = [](const Entry& a, const Entry& b) { return a.id < b.id; };
@@ -433,7 +434,7 @@ std::size_t DiagramEditor::size() const { return static_cast<std::size_t>(editor
 std::optional<Circle> DiagramEditor::circle(CircleId id) const {
   const int slot = editor_->slotOf(id);
   if (slot == kNone) return std::nullopt;
-  return editor_->state().circles[slot];
+  return editor_->state().circles[at(slot)];
 }
 
 bool DiagramEditor::isHidden(CircleId id) const { return !editor_->state().isVisible(editor_->slotOf(id)); }
@@ -448,7 +449,7 @@ std::vector<CircleId> DiagramEditor::ids() const {
 std::vector<Circle> DiagramEditor::circles() const {
   std::vector<Circle> circles;
   circles.reserve(size());
-  editor_->state().ids.forEach([&](CircleId, int slot) { circles.push_back(editor_->state().circles[slot]); });
+  editor_->state().ids.forEach([&](CircleId, int slot) { circles.push_back(editor_->state().circles[at(slot)]); });
   return circles;
 }
 

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "at.h"
 #include "settle_ties.h"
 
 namespace circle_voronoi {
 StepVerdict StepJudge::judge(EditState& state, int moved) {
   unsettled_.clear();
-  for (const int slot : touched_) turns_[slot] = 0;  // in case memory ran out the last time
+  for (const int slot : touched_) turns_[at(slot)] = 0;  // in case memory ran out the last time
   touched_.clear();
   turns_.resize(state.sites.size());
   hullTurns_ = 0;
@@ -36,8 +37,8 @@ StepVerdict StepJudge::judgeFaces(EditState& state, int moved, StepProver& prove
     if (!isInUse) continue;
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       if (!dual.fits(h)) return StepVerdict::broken;
-      if (dual.origin[h] != kPointAtInfinity && !state.isVisible(dual.origin[h])) return StepVerdict::broken;
-      if (isChanged) state.willChange(dual.twin[h] / 3);
+      if (dual.origin[at(h)] != kPointAtInfinity && !state.isVisible(dual.origin[at(h)])) return StepVerdict::broken;
+      if (isChanged) state.willChange(dual.twin[at(h)] / 3);
     }
     if (!isChanged) continue;
     state.discs.update(face);
@@ -49,7 +50,7 @@ StepVerdict StepJudge::judgeFaces(EditState& state, int moved, StepProver& prove
 void StepJudge::addTurns(int around, int neighbor, int count) {
   if (around == kPointAtInfinity) return;
   touched_.push_back(around);
-  turns_[around] += count;
+  turns_[at(around)] += count;
   if (neighbor == kPointAtInfinity) hullTurns_ += count;
 }
 
@@ -65,7 +66,7 @@ bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
     const EditState::SavedFace& saved = state.faceLog[i];
     for (std::size_t k = 0; saved.wasInUse() && k < 3; ++k) {
       const int h = 3 * saved.face + static_cast<int>(k);
-      if (!saved.isChanged && dual.twin[h] == saved.twin[k] && !isChanged(saved.twin[k] / 3)) continue;
+      if (!saved.isChanged && dual.twin[at(h)] == saved.twin[k] && !isChanged(saved.twin[k] / 3)) continue;
       addTurns(saved.origin[k], saved.origin[(k + 1) % 3], -static_cast<int>(saved.proof[k].passes));
     }
   }
@@ -74,20 +75,20 @@ bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
     if (!state.isInUse(saved.face)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const int h = 3 * saved.face + static_cast<int>(k);
-      const int t = dual.twin[h];
+      const int t = dual.twin[at(h)];
       const bool isOther = saved.isChanged || t != saved.twin[k] || isChanged(t / 3);
       // If both faces are in the log, one half of the edge is enough.
       if (!isOther || (h > t && state.savedInStep(t / 3) != nullptr)) continue;
-      const int a = dual.origin[h];
-      const int b = dual.origin[t];
+      const int a = dual.origin[at(h)];
+      const int b = dual.origin[at(t)];
       if (a != kPointAtInfinity && b != kPointAtInfinity && state.predicates.hiddenOf(a, b) != kPointAtInfinity) {
         return false;
       }
       const int order = prover.proveEdge(h);
       if (order < 0) return false;
       if (order == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
-      addTurns(a, b, static_cast<int>(state.proof[h].passes));
-      addTurns(b, a, static_cast<int>(state.proof[t].passes));
+      addTurns(a, b, static_cast<int>(state.proof[at(h)].passes));
+      addTurns(b, a, static_cast<int>(state.proof[at(t)].passes));
     }
   }
   return true;
@@ -98,12 +99,12 @@ bool StepJudge::areTurnsRight(const EditState& state) {
   for (std::size_t i = state.stepSites(); i < state.siteLog.size(); ++i) {
     const EditState::SavedSite& saved = state.siteLog[i];
     touched_.push_back(saved.slot);
-    turns_[saved.slot] -= static_cast<int>(state.isVisible(saved.slot)) - static_cast<int>(saved.wasVisible());
+    turns_[at(saved.slot)] -= static_cast<int>(state.isVisible(saved.slot)) - static_cast<int>(saved.wasVisible());
   }
   bool areRight = hullTurns_ == 0;
   for (const int slot : touched_) {
-    areRight = areRight && turns_[slot] == 0;
-    turns_[slot] = 0;
+    areRight = areRight && turns_[at(slot)] == 0;
+    turns_[at(slot)] = 0;
   }
   return areRight;
 }
@@ -111,17 +112,17 @@ bool StepJudge::areTurnsRight(const EditState& state) {
 /// Checks that each hidden circle that may have changed is in the list of a visible circle that contains it.
 bool StepJudge::areCirclesRight(EditState& state, int moved) const {
   const auto isRightlyHidden = [&](int slot) {
-    const int hider = state.sites[slot].hider;
+    const int hider = state.sites[at(slot)].hider;
     return hider != kNone && state.isVisible(hider) && state.hides(hider, slot);
   };
   for (std::size_t i = state.stepSites(); i < state.siteLog.size(); ++i) {
     const int slot = state.siteLog[i].slot;
     if (state.isVisible(slot)) continue;
-    const Site& site = state.sites[slot];
+    const Site& site = state.sites[at(slot)];
     if (site.firstHidden != kNone || (site.id != kNone && !isRightlyHidden(slot))) return false;
   }
   if (moved == kNone) return true;
-  for (int slot = state.sites[moved].firstHidden; slot != kNone; slot = state.sites[slot].next) {
+  for (int slot = state.sites[at(moved)].firstHidden; slot != kNone; slot = state.sites[at(slot)].next) {
     if (!isRightlyHidden(slot)) return false;
   }
   return true;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "at.h"
 #include "infinity.h"
 #include "vectors.h"
 
@@ -41,7 +42,7 @@ int nearestSpoke(const EditState& state, int h, Point p, int most = std::numeric
   int spoke = h;
   do {
     if (const int to = state.dual.target(spoke); to != kPointAtInfinity) {
-      if (const double distance = distanceFrom(p, state.circles[to]); distance < least) {
+      if (const double distance = distanceFrom(p, state.circles[at(to)]); distance < least) {
         least = distance;
         nearest = spoke;
       }
@@ -63,7 +64,7 @@ Location Locator::locate(const EditState& state, Point p, int hint) const {
   const int near = starts_.near(p, kMostLayers, [&](int start) { return isThere(state, start); });
   for (const int candidate : {hint, last_, near}) {
     if (!isThere(state, candidate)) continue;
-    if (const double distance = distanceFrom(p, state.circles[candidate]); slot == kNone || distance < least) {
+    if (const double distance = distanceFrom(p, state.circles[at(candidate)]); slot == kNone || distance < least) {
       slot = candidate;
       least = distance;
     }
@@ -73,29 +74,29 @@ Location Locator::locate(const EditState& state, Point p, int hint) const {
   }
   if (slot == kNone) return {};
   if (state.visibleCount < 2) return {slot, kNone};
-  least = distanceFrom(p, state.circles[slot]);
-  int h = state.edgeOf[slot];
+  least = distanceFrom(p, state.circles[at(slot)]);
+  int h = state.edgeOf[at(slot)];
   int steps = 0;
   for (int sectors = 0;; ++sectors) {
     const Location sector = sectorOf(state, h, p);
     h = sector.halfEdge;
     steps += sector.steps;
     if (state.dual.target(h) == kPointAtInfinity) break;
-    double distance = distanceFrom(p, state.circles[state.dual.target(h)]);
+    double distance = distanceFrom(p, state.circles[at(state.dual.target(h))]);
     if (!(distance < least)) break;
     if (sectors >= kFewSectors) {
       // A long walk may lead along the border of a large cell, which is nearer.
       const int nearest = nearestSpoke(state, h, p, kFewSpokes);
-      const double its = distanceFrom(p, state.circles[state.dual.target(nearest)]);
+      const double its = distanceFrom(p, state.circles[at(state.dual.target(nearest))]);
       if (its < distance) {
         h = nearest;
         distance = its;
       }
     }
     least = distance;
-    h = state.dual.twin[h];
+    h = state.dual.twin[at(h)];
   }
-  return {state.dual.origin[h], h, steps};
+  return {state.dual.origin[at(h)], h, steps};
 }
 
 /// Returns the half-edge, from the origin of h, in whose sector a point lies. If rounding hides the sector, returns the
@@ -103,8 +104,8 @@ Location Locator::locate(const EditState& state, Point p, int hint) const {
 /// and if that takes long, also from a listed half-edge.
 Location Locator::sectorOf(const EditState& state, int h, Point p) const {
   const Dual& dual = state.dual;
-  const int slot = dual.origin[h];
-  const Circle& from = state.circles[slot];
+  const int slot = dual.origin[at(h)];
+  const Circle& from = state.circles[at(slot)];
   const Vector ray = {p.x - from.x, p.y - from.y};
   struct Turn {
     int spoke;
@@ -134,7 +135,7 @@ int Locator::listedToward(const EditState& state, int slot, Vector ray) const {
   if (found == spokes_.end()) return kNone;
   const std::vector<int>& spokes = found->second;
   const auto isHere = [&](int h) {
-    return h < state.dual.halfEdgeCount() && state.isInUse(h / 3) && state.dual.origin[h] == slot;
+    return h < state.dual.halfEdgeCount() && state.isInUse(h / 3) && state.dual.origin[at(h)] == slot;
   };
   auto low = std::find_if(spokes.begin(), spokes.end(), isHere);
   if (low == spokes.end()) return kNone;
@@ -156,8 +157,8 @@ void Locator::listSpokes(const EditState& state) {
   spokes_.clear();
   std::vector<int> counts(state.sites.size(), 0);
   for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
-    const int slot = state.dual.origin[h];
-    if (slot == kPointAtInfinity || !state.isInUse(h / 3) || ++counts[slot] != kFewSpokes + 1) continue;
+    const int slot = state.dual.origin[at(h)];
+    if (slot == kPointAtInfinity || !state.isInUse(h / 3) || ++counts[at(slot)] != kFewSpokes + 1) continue;
     std::vector<int>& spokes = spokes_[slot];
     int spoke = h;
     do {
@@ -172,7 +173,7 @@ void Locator::note(const EditState& state, int slot) {
   if (state.visibleCount > 2 * filledFor_ + 16 || steps_ > state.dual.halfEdgeCount()) {
     fill(state);
   } else if (starts_.hasBuckets()) {
-    starts_.put(centerOf(state.circles[slot]), slot);
+    starts_.put(centerOf(state.circles[at(slot)]), slot);
   }
 }
 
@@ -182,7 +183,7 @@ void Locator::fill(const EditState& state) {
   listSpokes(state);
   std::vector<BucketGrid::Item> starts;
   for (int i = 0; i < static_cast<int>(state.sites.size()); ++i) {
-    if (state.isVisible(i)) starts.push_back({centerOf(state.circles[i]), i});
+    if (state.isVisible(i)) starts.push_back({centerOf(state.circles[at(i)]), i});
   }
   starts_ = BucketGrid(starts);
 }

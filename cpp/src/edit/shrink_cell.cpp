@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "at.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -22,14 +24,14 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
   Dual& dual = state.dual;
   spokes_.clear();
   events_.clear();
-  const int first = state.edgeOf[slot];
+  const int first = state.edgeOf[at(slot)];
   int h = first;
   do {
     const int i = static_cast<int>(spokes_.size());
     spokes_.push_back({h, i - 1, i + 1, {}});
     // The faces beside the spokes, and the faces beyond them.
     state.willChange(h / 3);
-    state.willChange(dual.twin[Dual::next(h)] / 3);
+    state.willChange(dual.twin[at(Dual::next(h))] / 3);
     h = dual.around(h);
   } while (h != first);
   int left = static_cast<int>(spokes_.size());
@@ -51,13 +53,13 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
     const int ci = Dual::previous(ib);
     const int ab = Dual::next(before.halfEdge);
     const int bi = Dual::next(ab);
-    const int beyondCi = dual.twin[ci];
+    const int beyondCi = dual.twin[at(ci)];
     if (state.reporter != nullptr) {
       for (const int changed : {ib, ab}) state.reporter->willChange(changed / 3);
     }
-    dual.origin[ib] = dual.origin[ab];
-    dual.origin[bi] = dual.origin[ci];
-    dual.link(ib, dual.twin[ab]);
+    dual.origin[at(ib)] = dual.origin[at(ab)];
+    dual.origin[at(bi)] = dual.origin[at(ci)];
+    dual.link(ib, dual.twin[at(ab)]);
     dual.link(bi, beyondCi);
     dual.link(ab, ci);
     state.discs.set(ib / 3, spoke.disc);
@@ -74,8 +76,8 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
   // Faces (i, a, c) and (i, c, a) vanish.
   const Spoke& one = spokes_[static_cast<std::size_t>(kept)];
   const Spoke& other = spokes_[static_cast<std::size_t>(one.after)];
-  const int ac = dual.twin[Dual::next(one.halfEdge)];
-  const int ca = dual.twin[Dual::next(other.halfEdge)];
+  const int ac = dual.twin[at(Dual::next(one.halfEdge))];
+  const int ca = dual.twin[at(Dual::next(other.halfEdge))];
   for (const int beyond : {ac, ca}) {
     if (beyond / 3 == one.halfEdge / 3 || beyond / 3 == other.halfEdge / 3) return false;
   }
@@ -113,14 +115,14 @@ void CellShrinker::look(EditState& state, int index) {
   Spoke& spoke = spokes_[static_cast<std::size_t>(index)];
   ++spoke.turn;
   const int h = spoke.halfEdge;
-  const int slot = state.dual.origin[h];
+  const int slot = state.dual.origin[at(h)];
   const int a = state.dual.target(spokes_[static_cast<std::size_t>(spoke.before)].halfEdge);
   const int b = state.dual.target(h);
   const int c = state.dual.target(spokes_[static_cast<std::size_t>(spoke.after)].halfEdge);
   if (a == c || a == b || b == c) return;
   spoke.disc = state.predicates.disc({a, b, c});
   if (!spoke.disc.exists) return;
-  const double radius = touchingRadius(state.circles[slot], spoke.disc, state.circles[spoke.disc.origin]);
+  const double radius = touchingRadius(state.circles[at(slot)], spoke.disc, state.circles[at(spoke.disc.origin)]);
   if (std::isnan(radius)) return;
   events_.push_back({radius, index, spoke.turn});
   std::push_heap(events_.begin(), events_.end());

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "diagram_of.h"
 #include "hiders.h"
 #include "order.h"
@@ -19,17 +20,17 @@ Dual compacted(const EditState& state, const std::vector<int>& siteOf) {
   std::vector<int> placeOf(static_cast<std::size_t>(state.dual.faceCount()), kNone);
   int count = 0;
   for (int face = 0; face < state.dual.faceCount(); ++face) {
-    if (state.isInUse(face)) placeOf[face] = count++;
+    if (state.isInUse(face)) placeOf[at(face)] = count++;
   }
   Dual dual;
   dual.origin.reserve(3 * static_cast<std::size_t>(count));
   dual.twin.reserve(3 * static_cast<std::size_t>(count));
   for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
     if (!state.isInUse(h / 3)) continue;
-    const int origin = state.dual.origin[h];
-    const int t = state.dual.twin[h];
-    dual.origin.push_back(origin == kPointAtInfinity ? kPointAtInfinity : siteOf[origin]);
-    dual.twin.push_back(3 * placeOf[t / 3] + t % 3);
+    const int origin = state.dual.origin[at(h)];
+    const int t = state.dual.twin[at(h)];
+    dual.origin.push_back(origin == kPointAtInfinity ? kPointAtInfinity : siteOf[at(origin)]);
+    dual.twin.push_back(3 * placeOf[at(t / 3)] + t % 3);
   }
   return dual;
 }
@@ -42,7 +43,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
   circles.reserve(static_cast<std::size_t>(state.circleCount));
   state.ids.forEach([&](CircleId, int slot) {
     slotOf.push_back(slot);
-    circles.push_back(state.circles[slot]);
+    circles.push_back(state.circles[at(slot)]);
   });
   // The search for hiders needs spatial order, which the slots have lost after many edits.
   const OrderedCircles ordered = order(circles);
@@ -54,7 +55,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
     const int rank = ordered.indices[i];
     const int slot = slotOf[static_cast<std::size_t>(rank)];
     if (state.isVisible(slot)) {
-      siteOf[slot] = static_cast<int>(sites.circles.size());
+      siteOf[at(slot)] = static_cast<int>(sites.circles.size());
       sites.circles.push_back(ordered.circles[i]);
       sites.indices.push_back(rank);
     } else {
@@ -66,7 +67,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
                                    std::numeric_limits<std::int64_t>::max());
   for (std::size_t i = 0; i < hidden.indices.size(); ++i) {
     const int hider = hiders.hider[i];
-    sites.hidden.push_back({hidden.indices[i], hider == kNone ? kNone : sites.indices[hider]});
+    sites.hidden.push_back({hidden.indices[i], hider == kNone ? kNone : sites.indices[at(hider)]});
   }
   std::sort(sites.hidden.begin(), sites.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
@@ -89,14 +90,14 @@ SnapshotNumbers numbersOf(const EditState& state) {
   numbers.circles.reserve(static_cast<std::size_t>(state.circleCount));
   state.ids.forEach([&](CircleId id, int slot) {
     numbers.circles.push_back(id);
-    if (!state.isVisible(slot)) numbers.hiders.push_back(state.sites[state.sites[slot].hider].id);
+    if (!state.isVisible(slot)) numbers.hiders.push_back(state.sites[at(state.sites[at(slot)].hider)].id);
   });
   // This is the order of topologyOf, because gaps do not change it.
   for (int face = 0; face < state.dual.faceCount(); ++face) {
     if (state.isVertex(face)) numbers.vertices.push_back(face);
   }
   for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
-    if (state.isEdge(h)) numbers.edges.push_back(state.edgeNumber[h]);
+    if (state.isEdge(h)) numbers.edges.push_back(state.edgeNumber[at(h)]);
   }
   return numbers;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "at.h"
 #include "construct.h"
 #include "flip.h"
 #include "repair.h"
@@ -41,14 +42,14 @@ std::optional<EditWay> Stepper::remove(int slot) {
   begin();
   if (!state_.isVisible(slot)) {
     state_.detach(slot);
-    reportCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
+    reportCircle(TraceKind::circleRemoved, slot, state_.circles[at(slot)]);
     state_.removeSite(slot);
     return certify(kNone);
   }
   const int hint = neighborOf(slot);
   if (!takeOut(slot) || !releaseHidden(slot, kNone)) return std::nullopt;
   if (!waiting_.empty()) mendForInsertion();
-  reportCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
+  reportCircle(TraceKind::circleRemoved, slot, state_.circles[at(slot)]);
   state_.removeSite(slot);
   if (!putWaiting(hint)) return std::nullopt;
   return certify(kNone);
@@ -61,7 +62,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
   if (isVisible && staysNear(slot, circle)) {
     if (move(slot, circle) && isRight(slot)) return EditWay::local;
     state_.rollBack(mark);
-    reportCircle(TraceKind::circleReplaced, slot, state_.circles[slot]);
+    reportCircle(TraceKind::circleReplaced, slot, state_.circles[at(slot)]);
     if (state_.reporter != nullptr) state_.reporter->reportChanges();
   }
   int hint = slot;
@@ -70,7 +71,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
     if (!takeOut(slot)) return std::nullopt;
     mendForInsertion();
   } else {
-    hint = state_.sites[slot].hider;
+    hint = state_.sites[at(slot)].hider;
     state_.detach(slot);
   }
   reportCircle(TraceKind::circleReplaced, slot, circle);
@@ -92,14 +93,14 @@ void Stepper::reportCircle(TraceKind kind, int slot, const Circle& circle) {
 /// on success.
 bool Stepper::put(int slot, int hint) {
   if (state_.visibleCount == 0) return false;
-  const Location place = locator_.locate(state_, centerOf(state_.circles[slot]), hint);
+  const Location place = locator_.locate(state_, centerOf(state_.circles[at(slot)]), hint);
   locator_.countSteps(place);
   int hider = place.slot;
   auto outcome = CellInserter::Outcome::hidden;
   if (state_.visibleCount > 1) {
     outcome = inserter_.insert(slot, place.halfEdge);
     hider = inserter_.hider();
-  } else if (!state_.predicates.contains(state_.circles[hider], state_.circles[slot])) {
+  } else if (!state_.predicates.contains(state_.circles[at(hider)], state_.circles[at(slot)])) {
     return false;
   }
   if (outcome == CellInserter::Outcome::astray) return false;
@@ -109,12 +110,12 @@ bool Stepper::put(int slot, int hint) {
     return true;
   }
   state_.willChangeSite(slot);
-  state_.hasNoCell[slot] = 0;
+  state_.hasNoCell[at(slot)] = 0;
   ++state_.visibleCount;
   for (const int hidden : inserter_.hidden()) {
     --state_.visibleCount;
-    while (state_.sites[hidden].firstHidden != kNone) {
-      const int inner = state_.sites[hidden].firstHidden;
+    while (state_.sites[at(hidden)].firstHidden != kNone) {
+      const int inner = state_.sites[at(hidden)].firstHidden;
       state_.detach(inner);
       state_.attach(inner, slot);
     }
@@ -144,7 +145,7 @@ bool Stepper::takeOut(int slot) {
   }
   --state_.visibleCount;
   state_.willChangeSite(slot);
-  state_.hasNoCell[slot] = 1;
+  state_.hasNoCell[at(slot)] = 1;
   return true;
 }
 
@@ -154,14 +155,14 @@ void Stepper::mendForInsertion() {
 }
 
 /// Returns the circle itself if it is visible, otherwise its hider.
-int Stepper::hiderBy(int slot) const { return state_.isVisible(slot) ? slot : state_.sites[slot].hider; }
+int Stepper::hiderBy(int slot) const { return state_.isVisible(slot) ? slot : state_.sites[at(slot)].hider; }
 
 /// Moves the circles in the list of `slot` to the list of `hider`, which may be the same circle. The circles that
 /// `hider` does not hide wait. Returns whether these are few enough.
 bool Stepper::releaseHidden(int slot, int hider) {
   const std::size_t most = kFew + static_cast<std::size_t>(state_.circleCount / kShownShare);
-  for (int inner = state_.sites[slot].firstHidden; inner != kNone;) {
-    const int next = state_.sites[inner].next;
+  for (int inner = state_.sites[at(slot)].firstHidden; inner != kNone;) {
+    const int next = state_.sites[at(inner)].next;
     const bool isHidden = hider != kNone && state_.hides(hider, inner);
     if (!isHidden || hider != slot) state_.detach(inner);
     if (!isHidden) {
@@ -183,14 +184,14 @@ bool Stepper::coversMany(const Circle& circle) const {
   std::size_t covered = 0;
   for (std::size_t i = 0; i < sample; ++i) {
     const auto slot = static_cast<int>(i * slots / sample);
-    covered += state_.isVisible(slot) && covers(circle, state_.circles[slot]);
+    covered += state_.isVisible(slot) && covers(circle, state_.circles[at(slot)]);
   }
   return covered * slots > sample * (kFew + static_cast<std::size_t>(state_.circleCount / kHiddenShare));
 }
 
 /// Puts the waiting circles, the largest first, so that none hides one that was put before. Returns true on success.
 bool Stepper::putWaiting(int hint) {
-  const auto rank = [&](int slot) { return std::tuple(-state_.circles[slot].r, state_.sites[slot].id); };
+  const auto rank = [&](int slot) { return std::tuple(-state_.circles[at(slot)].r, state_.sites[at(slot)].id); };
   std::sort(waiting_.begin(), waiting_.end(), [&](int a, int b) { return rank(a) < rank(b); });
   bool isWell = true;
   for (std::size_t i = 0; i < waiting_.size() && isWell; ++i) isWell = put(waiting_[i], hint);
@@ -200,7 +201,7 @@ bool Stepper::putWaiting(int hint) {
 
 /// Returns a neighbor of a visible circle, or kNone if there is none.
 int Stepper::neighborOf(int slot) const {
-  const int first = state_.edgeOf[slot];
+  const int first = state_.edgeOf[at(slot)];
   if (first == kNone) return kNone;
   int h = first;
   do {
@@ -215,12 +216,12 @@ int Stepper::neighborOf(int slot) const {
 bool Stepper::staysNear(int slot, const Circle& circle) const {
   if (state_.visibleCount < 2) return false;
   const Dual& dual = state_.dual;
-  const int first = state_.edgeOf[slot];
+  const int first = state_.edgeOf[at(slot)];
   int h = first;
   do {
     const int neighbor = dual.target(h);
-    if (neighbor != kPointAtInfinity && (distanceFrom(centerOf(circle), state_.circles[neighbor]) <= -circle.r ||
-                                         covers(circle, state_.circles[neighbor]))) {
+    if (neighbor != kPointAtInfinity && (distanceFrom(centerOf(circle), state_.circles[at(neighbor)]) <= -circle.r ||
+                                         covers(circle, state_.circles[at(neighbor)]))) {
       return false;
     }
     h = dual.around(h);
@@ -234,7 +235,7 @@ bool Stepper::move(int slot, const Circle& circle) {
   reportCircle(TraceKind::circleReplaced, slot, circle);
   state_.setCircle(slot, circle);
   edges_.clear();
-  const int first = state_.edgeOf[slot];
+  const int first = state_.edgeOf[at(slot)];
   int h = first;
   do {
     state_.willChange(h / 3);
@@ -309,7 +310,7 @@ bool Stepper::patch(int moved) {
       std::vector<int> beyond;
       for (const int face : near) {
         state_.willChange(face);
-        for (int h = 3 * face; h < 3 * face + 3; ++h) beyond.push_back(dual.twin[h] / 3);
+        for (int h = 3 * face; h < 3 * face + 3; ++h) beyond.push_back(dual.twin[at(h)] / 3);
       }
       near.insert(near.end(), beyond.begin(), beyond.end());
       sortUnique(near);

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "at.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -51,8 +53,8 @@ void DisjointCircles::visitNear(Point point, double radius, Visit visit) const {
     const std::int64_t row = cellOf(point.y, level);
     for (std::int64_t i = column - 1; i <= column + 1; ++i) {
       for (std::int64_t j = row - 1; j <= row + 1; ++j) {
-        for (int k = first_[bucket(level, i, j)]; k != kEnd; k = next_[k]) {
-          if (!visit(circles_[k])) return;
+        for (int k = first_[bucket(level, i, j)]; k != kEnd; k = next_[at(k)]) {
+          if (!visit(circles_[at(k)])) return;
         }
       }
     }

@@ -130,7 +130,7 @@ class TreemapMaker {
   }
 
   Treemap run() && {
-    for (std::size_t i = 0; i < tree_.size(); ++i) count_ += tree_.isDivided(i) ? 1 : 0;
+    for (std::size_t i = 0; i < tree_.size(); ++i) count_ += static_cast<std::size_t>(tree_.isDivided(i));
     report();
     for (std::size_t i = 0; i < tree_.size(); ++i) {
       if (!tree_.isDivided(i)) continue;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "at.h"
 #include "disjoint_sets.h"
 #include "near_vertices.h"
 #include "scale.h"
@@ -16,10 +17,10 @@ namespace {
 /// Returns 2^-40 of the numbers from which a vertex was computed. This is 2^13 times the unit roundoff, which allows
 /// for the condition of three-touch discs of circles that can be drawn, and it is far too small to be seen.
 double roundingError(const Diagram& diagram, VertexIndex v) {
-  const Vertex& vertex = diagram.vertices[v];
+  const Vertex& vertex = diagram.vertices[at(v)];
   double size = std::abs(vertex.x) + std::abs(vertex.y) + std::abs(vertex.r);
-  for (const CircleIndex i : diagram.vertexCircles[v]) {
-    const Circle& c = diagram.circles[i];
+  for (const CircleIndex i : diagram.vertexCircles[at(v)]) {
+    const Circle& c = diagram.circles[at(i)];
     size = std::max(size, std::abs(c.x) + std::abs(c.y) + std::abs(c.r));
   }
   return 0x1p-40 * size;
@@ -28,8 +29,8 @@ double roundingError(const Diagram& diagram, VertexIndex v) {
 /// Whether an edge between vertices is of length near zero.
 bool isShortEdge(const Diagram& diagram, const Edge& edge, std::optional<double> nearZero) {
   if (edge.start == kNone || edge.end == kNone) return false;
-  const Vertex& s = diagram.vertices[edge.start];
-  const Vertex& t = diagram.vertices[edge.end];
+  const Vertex& s = diagram.vertices[at(edge.start)];
+  const Vertex& t = diagram.vertices[at(edge.end)];
   const double limit = nearZero ? *nearZero : roundingError(diagram, edge.start) + roundingError(diagram, edge.end);
   return !(lengthOf({t.x - s.x, t.y - s.y}) > limit);
 }
@@ -39,7 +40,7 @@ bool isShortEdge(const Diagram& diagram, const Edge& edge, std::optional<double>
 std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram, const Chosen& edges, const Chosen& vertices) {
   DisjointSets sets(vertices.size());
   for (std::size_t row = 0; row < edges.size(); ++row) {
-    const Edge& edge = diagram.edges[edges[row]];
+    const Edge& edge = diagram.edges[at(edges[row])];
     if (isShortEdge(diagram, edge, std::nullopt)) sets.join(vertices.rowOf(edge.start), vertices.rowOf(edge.end));
   }
   return std::move(sets).representatives();
@@ -68,7 +69,7 @@ MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZe
       merged.mergedVertex[v] = static_cast<std::int32_t>(merged.vertices.size());
       merged.vertices.push_back(diagram.vertices[v]);
     } else {
-      merged.mergedVertex[v] = merged.mergedVertex[root];
+      merged.mergedVertex[v] = merged.mergedVertex[at(root)];
     }
   }
 
@@ -77,14 +78,14 @@ MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZe
   std::vector<bool> isMet(2 * diagram.edges.size(), false);
   std::vector<std::vector<CircleIndex>> around(merged.vertices.size());
   for (std::size_t v = 0; v < count; ++v) {
-    auto& list = around[merged.mergedVertex[v]];
+    auto& list = around[at(merged.mergedVertex[v])];
     for (const SideIndex start : diagram.links.vertexSides[v]) {
-      for (SideIndex side = start; !isShort[Diagram::edgeOf(side)] && !isMet[side];) {
-        isMet[side] = true;
+      for (SideIndex side = start; !isShort[at(Diagram::edgeOf(side))] && !isMet[at(side)];) {
+        isMet[at(side)] = true;
         list.push_back(diagram.circleOf(side));
         side = Diagram::twin(side);
-        do side = diagram.links.nextSide[side];
-        while (isShort[Diagram::edgeOf(side)]);
+        do side = diagram.links.nextSide[at(side)];
+        while (isShort[at(Diagram::edgeOf(side))]);
       }
     }
   }
@@ -95,7 +96,7 @@ MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZe
     merged.circles.insert(merged.circles.end(), list.begin(), list.end());
     merged.firstCircle.push_back(static_cast<std::int32_t>(merged.circles.size()));
   }
-  const auto mergedEnd = [&](VertexIndex vertex) { return vertex == kNone ? vertex : merged.mergedVertex[vertex]; };
+  const auto mergedEnd = [&](VertexIndex vertex) { return vertex == kNone ? vertex : merged.mergedVertex[at(vertex)]; };
   for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
     const Edge& edge = diagram.edges[e];
     if (!isShort[e]) merged.edges.push_back({edge.left, edge.right, mergedEnd(edge.start), mergedEnd(edge.end)});

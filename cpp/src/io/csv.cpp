@@ -12,6 +12,7 @@
 
 #include "column_names.h"
 #include "csv_table.h"
+#include "read_double.h"
 #include "text.h"
 #include "validate.h"
 #include "wkt_points.h"
@@ -411,7 +412,7 @@ ParsedRows readCsvRows(std::string_view text, std::span<const std::string> colum
 std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& value) {
   std::string_view digits = field.text;
   if (digits.empty()) return " is empty.";
-  // from_chars knows no leading plus.
+  // readDouble knows no leading plus.
   const bool hasPlus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';
   if (hasPlus) digits.remove_prefix(1);
   const std::size_t mark = digits.find_first_of(".,");
@@ -431,7 +432,7 @@ std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& 
     mark_ = isComma ? ',' : '.';
   }
   const char* end = digits.data() + digits.size();
-  const auto [stop, code] = std::from_chars(digits.data(), end, value);
+  const auto [stop, code] = readDouble(digits.data(), end, value);
   if (stop != end || code == std::errc::invalid_argument) return quoting(" is not a number", field);
   if (code != std::errc()) return quoting(" is beyond the range of a double", field);
   return std::nullopt;

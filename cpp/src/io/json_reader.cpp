@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "read_double.h"
 #include "utf8.h"
 
 namespace circle_voronoi {
@@ -109,7 +110,7 @@ std::string_view JsonReader::numeral() {
 
 double JsonReader::valueOf(std::string_view numeral) const {
   double value = 0;
-  const auto code = std::from_chars(numeral.data(), numeral.data() + numeral.size(), value).ec;
+  const auto code = readDouble(numeral.data(), numeral.data() + numeral.size(), value).ec;
   if (code != std::errc()) fail("a number is beyond the range of a double: " + std::string(numeral) + ".");
   return value;
 }

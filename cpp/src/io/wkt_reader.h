@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "read_double.h"
 #include "text.h"
 
 namespace circle_voronoi {
@@ -87,7 +87,7 @@ class WktReader {
     if (at_ < text_.size() && text_[at_] == '+') ++at_;
     double value = 0;
     const char* begin = text_.data() + at_;
-    const auto [end, code] = std::from_chars(begin, text_.data() + text_.size(), value);
+    const auto [end, code] = readDouble(begin, text_.data() + text_.size(), value);
     if (code != std::errc()) fail("expected a number.");
     at_ += static_cast<std::size_t>(end - begin);
     return value;

@@ -91,8 +91,7 @@ Result<void> writeFoundCsv(std::ostream& stream, std::span<const Circle> points,
       const auto& [circle, distance] = found[i];
       out << points[i].x << "," << points[i].y << ",";
       if (circle != kNone) out << circle;
-      if (!ids.empty())
-        out << "," << (circle == kNone ? "" : csvField(ids[static_cast<std::size_t>(circle)]));
+      if (!ids.empty()) out << "," << (circle == kNone ? "" : csvField(ids[static_cast<std::size_t>(circle)]));
       out << ",";
       if (circle != kNone) out << distance;
       columns.writeRow(out, i);

@@ -3,18 +3,20 @@
 
 #include <algorithm>
 
+#include "at.h"
+
 namespace circle_voronoi {
 namespace {
 
 std::string vertexName(std::int32_t vertex, const Diagram& diagram) {
   if (vertex < 0 || static_cast<std::size_t>(vertex) >= diagram.vertexCircles.size()) return "A vertex at infinity";
-  const auto& [i, j, k] = diagram.vertexCircles[vertex];
+  const auto& [i, j, k] = diagram.vertexCircles[at(vertex)];
   return "Vertex " + std::to_string(vertex) + " (circles " + std::to_string(i) + ", " + std::to_string(j) + ", " +
          std::to_string(k) + ")";
 }
 
 std::string edgeName(std::int32_t edge, const Diagram& diagram) {
-  const Edge& e = diagram.edges[edge];
+  const Edge& e = diagram.edges[at(edge)];
   return "Edge " + std::to_string(edge) + " (circles " + std::to_string(e.left) + ", " + std::to_string(e.right) + ")";
 }
 
@@ -40,8 +42,8 @@ Certificate certificateOf(const Verdict& verdict, const Dual& dual, const Topolo
   if (verdict.face != kNone) certificate.vertex = vertexOf(verdict.face);
   if (verdict.halfEdge != kNone) {
     const int h = verdict.halfEdge;
-    const int t = dual.twin[h];
-    const Edge forth = {dual.origin[h], dual.origin[t], vertexOf(t / 3), vertexOf(h / 3)};
+    const int t = dual.twin[at(h)];
+    const Edge forth = {dual.origin[at(h)], dual.origin[at(t)], vertexOf(t / 3), vertexOf(h / 3)};
     const Edge back = {forth.right, forth.left, forth.end, forth.start};
     const auto found = std::find_if(topology.edges.begin(), topology.edges.end(),
                                     [&](const Edge& edge) { return edge == forth || edge == back; });

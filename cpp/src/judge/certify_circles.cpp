@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "at.h"
 #include "certificate_message.h"
 #include "guarded.h"
 #include "judge.h"
@@ -49,13 +50,13 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
   if (diagram.vertices.size() != diagram.vertexCircles.size()) return 0;
   for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
     if (diagram.vertices.size() - vertex > kPrefetchAhead) {
-      for (const std::int32_t i : topology.vertexCircles[vertex + kPrefetchAhead]) prefetch(circles, i);
+      for (const std::int32_t i : topology.vertexCircles[vertex + kPrefetchAhead]) prefetch(circles, at(i));
     }
     auto triple = topology.vertexCircles[vertex];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto& [i, j, k] = triple;
     const auto disc = predicates.vertex({i, j, k}, discs[vertex]);
-    if (!isInPlace(diagram.vertices[vertex], disc, circles[i], circles[j], circles[k])) {
+    if (!isInPlace(diagram.vertices[vertex], disc, circles[at(i)], circles[at(j)], circles[at(k)])) {
       return static_cast<std::int32_t>(vertex);
     }
   }
@@ -76,7 +77,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, const Diagram& diagram
   Predicates predicates(visible.circles);
   const Verdict verdict = judge(visible.circles, std::get<Dual>(dual), predicates);
   Certificate certificate = certificateOf(verdict, std::get<Dual>(dual), topology);
-  if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];
+  if (certificate.circle != kNone) certificate.circle = visible.indices[at(certificate.circle)];
   if (certificate.certified()) {
     certificate.vertex = misplacedVertex(diagram, topology, visible.circles, predicates, verdict.proof.discs);
     if (certificate.vertex != kNone) certificate.flaw = Flaw::vertexMisplaced;

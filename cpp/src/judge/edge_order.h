@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "at.h"
 #include "dual.h"
 #include "predicates.h"
 
@@ -11,9 +12,9 @@ namespace circle_voronoi {
 /// Returns the half-edge of an edge between circles that starts from the larger circle. The bisector of the edge is
 /// ordered as seen from that circle.
 inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
-  const int t = dual.twin[h];
+  const int t = dual.twin[at(h)];
   // The processor would often predict a branch wrongly here.
-  const int isSecond = predicates.looksFromFirst(dual.origin[h], dual.origin[t]) ? 0 : 1;
+  const int isSecond = predicates.looksFromFirst(dual.origin[at(h)], dual.origin[at(t)]) ? 0 : 1;
   return h + isSecond * (t - h);
 }
 
@@ -29,13 +30,13 @@ inline constexpr std::int8_t kUnknownOrder = -2;
 template <class Discs>
 [[gnu::always_inline]] inline int orderOfEnds(const Dual& dual, int h, const Discs& discs, Predicates& predicates) {
   const int larger = fromLarger(dual, h, predicates);
-  const int t = dual.twin[larger];
-  const int from = dual.origin[larger];
-  const Direction before = predicates.direction(from, discs[t / 3]);
-  const Direction after = predicates.direction(from, discs[larger / 3]);
+  const int t = dual.twin[at(larger)];
+  const int from = dual.origin[at(larger)];
+  const Direction before = predicates.direction(from, discs[at(t / 3)]);
+  const Direction after = predicates.direction(from, discs[at(larger / 3)]);
   if (const int sign = predicates.filteredCross(before, after); sign != 0) return sign;
-  return predicates.exactEdgeOrder(from, dual.origin[t], dual.origin[Dual::previous(larger)],
-                                   dual.origin[Dual::previous(t)]);
+  return predicates.exactEdgeOrder(from, dual.origin[at(t)], dual.origin[at(Dual::previous(larger))],
+                                   dual.origin[at(Dual::previous(t))]);
 }
 
 }  // namespace circle_voronoi

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "branchless.h"
 #include "certificate_message.h"
 #include "prefetch.h"
@@ -61,7 +62,7 @@ class Judge {
         threads_.firstWhere(dual_.origin.size(), [&](std::size_t h) { return !dual_.fits(static_cast<int>(h)); });
     if (found == dual_.origin.size()) return {};
     const auto h = static_cast<int>(found);
-    return {dual_.origin[h] == dual_.target(h) ? Flaw::badIndex : Flaw::adjacency, kNone, h / 3, h};
+    return {dual_.origin[at(h)] == dual_.target(h) ? Flaw::badIndex : Flaw::adjacency, kNone, h / 3, h};
   }
 
   /// The disc of each face, and each edge once both its faces have one: in the order of the faces, so that the verdict
@@ -94,7 +95,7 @@ class Judge {
     ties_ = std::move(all.ties);
     // In the order of the faces beyond them.
     if (findings.size() > 1) {
-      std::sort(ties_.begin(), ties_.end(), [&](int g, int h) { return dual_.twin[g] < dual_.twin[h]; });
+      std::sort(ties_.begin(), ties_.end(), [&](int g, int h) { return dual_.twin[at(g)] < dual_.twin[at(h)]; });
     }
     return all.verdict;
   }
@@ -104,7 +105,7 @@ class Judge {
   /// Checks a range of faces, and the edges whose second face is in the range.
   void checkSome(int first, int last, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
     std::array<int, 3 * kFacesAtATime> halves;
-    std::size_t count = select(3 * first, 3 * last, halves, [&](int h) { return dual_.twin[h] > h; });
+    std::size_t count = select(3 * first, 3 * last, halves, [&](int h) { return dual_.twin[at(h)] > h; });
     // Each edge is looked at before the first of its faces gets its disc.
     int hidden = kPointAtInfinity;
     for (std::size_t k = 0; k < count && !isFinite(hidden); ++k) {
@@ -114,15 +115,15 @@ class Judge {
     }
     if (isFinite(hidden)) note(4 * static_cast<std::size_t>(last), {Flaw::cellNotClosed, hidden}, found);
     for (int face = first; face < last; ++face) {
-      if (!proof_.discs[face].exists) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
+      if (!proof_.discs[at(face)].exists) proof_.discs[at(face)] = predicates.disc(cornersOf(dual_, 3 * face));
       if (prover.proveFace(face)) continue;
       note(4 * static_cast<std::size_t>(face), {Flaw::vertexWithoutDisc, kNone, face}, found);
       last = face;
     }
-    count = select(3 * first, 3 * last, halves, [&](int t) { return dual_.twin[t] < t; });
+    count = select(3 * first, 3 * last, halves, [&](int t) { return dual_.twin[at(t)] < t; });
     for (std::size_t k = 0; k < count; ++k) {
       const int t = halves[k];
-      if (dual_.twin[t] < firstHalfEdge) {
+      if (dual_.twin[at(t)] < firstHalfEdge) {
         found.across.push_back(t);
       } else {
         checkEdge(t, prover, found);
@@ -140,13 +141,13 @@ class Judge {
   [[gnu::always_inline]] void prefetchCircles(std::size_t face) const {
     if (face >= proof_.discs.size()) return;
     for (const int i : cornersOf(dual_, static_cast<int>(3 * face))) {
-      if (isFinite(i)) prefetch(circles_, i);
+      if (isFinite(i)) prefetch(circles_, at(i));
     }
   }
 
   /// Returns the circle of an edge that the other one hides, or kPointAtInfinity.
   int hiddenBeside(int h, Predicates& predicates) const {
-    const int a = dual_.origin[h];
+    const int a = dual_.origin[at(h)];
     const int b = dual_.target(h);
     return isFinite(a) && isFinite(b) ? predicates.hiddenOf(a, b) : kPointAtInfinity;
   }
@@ -155,8 +156,8 @@ class Judge {
   void checkEdge(int t, FaceProver& prover, Findings& found) {
     const std::size_t check = 4 * static_cast<std::size_t>(t / 3) + 1 + static_cast<std::size_t>(t % 3);
     if (check > found.check) return;
-    const int h = dual_.twin[t];
-    const int order = prover.proveEdge(h, proof_.orders.empty() ? kUnknownOrder : proof_.orders[h]);
+    const int h = dual_.twin[at(t)];
+    const int order = prover.proveEdge(h, proof_.orders.empty() ? kUnknownOrder : proof_.orders[at(h)]);
     if (order < 0) {
       note(check, {Flaw::edgeOutOfOrder, kNone, h / 3, h}, found);
       return;
@@ -171,12 +172,12 @@ class Judge {
     std::vector<int> windings(static_cast<std::size_t>(circleCount_) + 1);
     int hullTurns = 0;
     for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
-      const int passes = proof_.halfEdges[h].passes ? 1 : 0;
-      windings[dual_.origin[h] + 1] += passes;
+      const int passes = proof_.halfEdges[at(h)].passes ? 1 : 0;
+      windings[at(dual_.origin[at(h)] + 1)] += passes;
       hullTurns += isFinite(dual_.target(h)) ? 0 : passes;
     }
     for (int circle = 0; circle < circleCount_; ++circle) {
-      if (windings[circle + 1] != 1) return {Flaw::cellNotClosed, circle};
+      if (windings[at(circle + 1)] != 1) return {Flaw::cellNotClosed, circle};
     }
     return {hullTurns == 1 ? Flaw::none : Flaw::hullNotClosed};
   }
@@ -215,8 +216,8 @@ Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& pre
 std::optional<CircleIndex> markHidden(std::span<const HiddenCircle> hidden, std::span<std::uint8_t> isHidden) {
   const auto isIndex = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < isHidden.size(); };
   for (const auto& [circle, by] : hidden) {
-    if (!isIndex(circle) || !isIndex(by) || isHidden[circle] != 0) return circle;
-    isHidden[circle] = 1;
+    if (!isIndex(circle) || !isIndex(by) || isHidden[at(circle)] != 0) return circle;
+    isHidden[at(circle)] = 1;
   }
   return std::nullopt;
 }
@@ -226,7 +227,7 @@ Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircl
   if (const auto wrong = markHidden(hidden, isHidden)) return {Flaw::badIndex, *wrong};
   Predicates predicates(circles);
   for (const auto& [circle, by] : hidden) {
-    if (isHidden[by] != 0 || !predicates.contains(circles[by], circles[circle])) {
+    if (isHidden[at(by)] != 0 || !predicates.contains(circles[at(by)], circles[at(circle)])) {
       return {Flaw::hiddenWithoutHider, circle};
     }
   }

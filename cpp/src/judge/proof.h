@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/circle.h"
 #include "edge_order.h"
 
@@ -37,12 +38,13 @@ class Prover {
 
   /// Records in which half the disc of a face lies, seen from each corner. Returns whether the face has a disc.
   bool proveFace(int face) {
-    const FaceDisc& disc = discs_[face];
+    const FaceDisc& disc = discs_[at(face)];
     if (!disc.exists) return false;
     const auto corners = cornersOf(dual_, 3 * face);
     for (int k = 0; k < 3; ++k) {
-      if (corners[k] == kPointAtInfinity) continue;
-      proof_[3 * face + k].isLower = predicates_.isLower(corners[k], corners, predicates_.direction(corners[k], disc));
+      if (corners[at(k)] == kPointAtInfinity) continue;
+      proof_[at(3 * face + k)].isLower =
+          predicates_.isLower(corners[at(k)], corners, predicates_.direction(corners[at(k)], disc));
     }
     return true;
   }
@@ -55,14 +57,14 @@ class Prover {
   /// passes the axis if the first disc is in the lower half and the second is not (Predicates::isLower). Around
   /// infinity nothing passes.
   int proveEdge(int h, int order = kUnknownOrder) {
-    const int t = dual_.twin[h];
-    const int a = dual_.origin[h];
-    const int b = dual_.origin[t];
+    const int t = dual_.twin[at(h)];
+    const int a = dual_.origin[at(h)];
+    const int b = dual_.origin[at(t)];
     bool passesAtOrigin = false;
     bool passesAtTarget = false;
     const bool isBounded = a != kPointAtInfinity && b != kPointAtInfinity &&
-                           dual_.origin[Dual::previous(h)] != kPointAtInfinity &&
-                           dual_.origin[Dual::previous(t)] != kPointAtInfinity;
+                           dual_.origin[at(Dual::previous(h))] != kPointAtInfinity &&
+                           dual_.origin[at(Dual::previous(t))] != kPointAtInfinity;
     if (isBounded) {
       if (order == kUnknownOrder) order = orderOfEnds(dual_, h, discs_, predicates_);
       if (order < 0) return order;
@@ -71,10 +73,10 @@ class Prover {
       // chosen without a branch, which the processor would often predict wrongly.
       passesAtOrigin = passesInOrder(h);
       passesAtTarget = passesInOrder(t);
-      if (circles_[a].r != circles_[b].r) {
-        const int isTarget = circles_[b].r < circles_[a].r ? 1 : 0;
+      if (circles_[at(a)].r != circles_[at(b)].r) {
+        const int isTarget = circles_[at(b)].r < circles_[at(a)].r ? 1 : 0;
         const int smaller = h + isTarget * (t - h);
-        if (proof_[dual_.aroundClockwise(smaller)].isLower == proof_[smaller].isLower && isLong(smaller)) {
+        if (proof_[at(dual_.aroundClockwise(smaller))].isLower == proof_[at(smaller)].isLower && isLong(smaller)) {
           (isTarget != 0 ? passesAtTarget : passesAtOrigin) = true;
         }
       }
@@ -83,30 +85,30 @@ class Prover {
       passesAtOrigin = a != kPointAtInfinity && passes(h);
       passesAtTarget = b != kPointAtInfinity && passes(t);
     }
-    proof_[h].passes = passesAtOrigin;
-    proof_[t].passes = passesAtTarget;
+    proof_[at(h)].passes = passesAtOrigin;
+    proof_[at(t)].passes = passesAtTarget;
     return order;
   }
 
  private:
   /// Returns whether a turn passes that is less than half a turn.
   bool passesInOrder(int h) const {
-    const bool wasLower = proof_[dual_.aroundClockwise(h)].isLower;
-    const bool isLower = proof_[h].isLower;
+    const bool wasLower = proof_[at(dual_.aroundClockwise(h))].isLower;
+    const bool isLower = proof_[at(h)].isLower;
     return wasLower > isLower;
   }
 
   /// Returns whether any turn passes: one within a half passes if it is nearly a full one.
   bool passes(int h) {
     const int before = dual_.aroundClockwise(h);
-    return proof_[before].isLower != proof_[h].isLower ? proof_[before].isLower : isLong(h);
+    return proof_[at(before)].isLower != proof_[at(h)].isLower ? proof_[at(before)].isLower : isLong(h);
   }
 
   /// Returns whether a turn is more than half a turn.
   bool isLong(int h) {
     const int before = dual_.aroundClockwise(h);
-    return predicates_.turn(dual_.origin[h], cornersOf(dual_, before), discs_[before / 3], cornersOf(dual_, h),
-                            discs_[h / 3]) < 0;
+    return predicates_.turn(dual_.origin[at(h)], cornersOf(dual_, before), discs_[at(before / 3)], cornersOf(dual_, h),
+                            discs_[at(h / 3)]) < 0;
   }
 
   const Dual& dual_;

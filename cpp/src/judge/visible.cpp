@@ -4,22 +4,24 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "at.h"
+
 namespace circle_voronoi {
 
 Visible::Visible(std::span<const Circle> all, std::span<const HiddenCircle> hidden) {
   sites.assign(all.size(), 0);
-  for (const HiddenCircle& h : hidden) sites[h.circle] = kNone;
+  for (const HiddenCircle& h : hidden) sites[at(h.circle)] = kNone;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(all.size()); ++i) {
-    if (sites[i] == kNone) continue;
-    sites[i] = static_cast<std::int32_t>(circles.size());
-    circles.push_back(all[i]);
+    if (sites[at(i)] == kNone) continue;
+    sites[at(i)] = static_cast<std::int32_t>(circles.size());
+    circles.push_back(all[at(i)]);
     indices.push_back(i);
   }
 }
 
 Topology visibleTopology(const Diagram& diagram, const std::vector<std::int32_t>& sites) {
   const auto site = [&](std::int32_t i) {
-    return i >= 0 && static_cast<std::size_t>(i) < sites.size() ? sites[i] : kNone;
+    return i >= 0 && static_cast<std::size_t>(i) < sites.size() ? sites[at(i)] : kNone;
   };
   Topology topology{diagram.vertexCircles, diagram.edges, diagram.hull};
   for (auto& triple : topology.vertexCircles) {
@@ -34,14 +36,17 @@ Topology visibleTopology(const Diagram& diagram, const std::vector<std::int32_t>
 }
 
 Certificate certificateOf(const TopologyFlaw& wrong, const Visible& visible) {
-  return {
-      wrong.flaw, wrong.circle == kNone ? CircleIndex() : visible.indices[wrong.circle], wrong.vertex, wrong.edge, {}};
+  return {wrong.flaw,
+          wrong.circle == kNone ? CircleIndex() : visible.indices[at(wrong.circle)],
+          wrong.vertex,
+          wrong.edge,
+          {}};
 }
 
 Certificate judgeSides(const Diagram& diagram, const Links& right, const Visible& visible) {
   std::vector<SideIndex> firstSide(visible.sites.size());
   for (std::size_t i = 0; i < firstSide.size(); ++i) {
-    if (visible.sites[i] != kNone) firstSide[i] = right.firstSide[visible.sites[i]];
+    if (visible.sites[i] != kNone) firstSide[i] = right.firstSide[at(visible.sites[i])];
   }
   if (diagram.links.nextSide.size() != right.nextSide.size() ||
       diagram.links.vertexSides.size() != right.vertexSides.size() ||

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "at.h"
 #include "certificate_message.h"
 #include "guarded.h"
 #include "journal.h"
@@ -76,9 +77,10 @@ class HiddenFinder {
     const int found = isLine_ ? edgeAround(points_, dual_, place, hint_) : faceAround(points_, dual_, place, hint_);
     if (found == kNone || (!isLine_ && !dual_.isFinite(found))) return kNone;
     hint_ = found;
-    if (isLine_)
-      return dual_
-          .origin[points_[static_cast<std::size_t>(dual_.target(found))].p == place ? dual_.twin[found] : found];
+    if (isLine_) {
+      const bool isTarget = points_[at(dual_.target(found))].p == place;
+      return dual_.origin[at(isTarget ? dual_.twin[at(found)] : found)];
+    }
     const auto corners = cornersOf(dual_, 3 * found);
     return *std::min_element(corners.begin(), corners.end(),
                              [&](int a, int b) { return rank(a, place) < rank(b, place); });

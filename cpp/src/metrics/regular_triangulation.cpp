@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "at.h"
 #include "in_circle.h"
 #include "judge_power.h"
 #include "mix.h"
@@ -22,11 +23,12 @@ namespace {
 RegularTriangulation ofLine(std::span<const WeightedPoint> sites) {
   std::vector<int> order(sites.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return isBefore(sites[i].p, sites[j].p); });
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return isBefore(sites[at(i)].p, sites[at(j)].p); });
   RegularTriangulation result;
   std::vector<int> chain;
   for (const int site : order) {
-    while (chain.size() > 1 && powerTest(sites[chain[chain.size() - 2]], sites[site], sites[chain.back()]) <= 0) {
+    while (chain.size() > 1 &&
+           powerTest(sites[at(chain[chain.size() - 2])], sites[at(site)], sites[at(chain.back())]) <= 0) {
       result.hidden.push_back(chain.back());
       chain.pop_back();
     }
@@ -37,8 +39,8 @@ RegularTriangulation ofLine(std::span<const WeightedPoint> sites) {
   Dual& dual = result.dual;
   const auto edgeCount = static_cast<int>(chain.size()) - 1;
   for (int k = 0; k < edgeCount; ++k) {
-    dual.origin.insert(dual.origin.end(),
-                       {chain[k], chain[k + 1], kPointAtInfinity, chain[k + 1], chain[k], kPointAtInfinity});
+    dual.origin.insert(dual.origin.end(), {chain[at(k)], chain[at(k + 1)], kPointAtInfinity, chain[at(k + 1)],
+                                           chain[at(k)], kPointAtInfinity});
   }
   dual.twin.resize(dual.origin.size());
   for (int k = 0; k < edgeCount; ++k) {
@@ -73,9 +75,9 @@ class Triangulator {
   }
 
   void insert(int site) {
-    int face = faceAround(sites_, dual_, sites_[site].p, hint_);
+    int face = faceAround(sites_, dual_, sites_[at(site)].p, hint_);
     if (!isTakenBy(site, face)) {
-      isHidden_[site] = true;
+      isHidden_[at(site)] = true;
       return;
     }
     collect(site, face);
@@ -96,27 +98,27 @@ class Triangulator {
   /// is compared with the lifted edge.
   bool isTakenBy(int site, int face) const {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
-      if (isFinite(dual_.origin[h])) continue;
-      const WeightedPoint& from = sites_[dual_.target(h)];
-      const WeightedPoint& to = sites_[dual_.origin[Dual::previous(h)]];
-      const int side = orientation(from.p, to.p, sites_[site].p);
-      return side > 0 || (side == 0 && powerTest(from, to, sites_[site]) > 0);
+      if (isFinite(dual_.origin[at(h)])) continue;
+      const WeightedPoint& from = sites_[at(dual_.target(h))];
+      const WeightedPoint& to = sites_[at(dual_.origin[at(Dual::previous(h))])];
+      const int side = orientation(from.p, to.p, sites_[at(site)].p);
+      return side > 0 || (side == 0 && powerTest(from, to, sites_[at(site)]) > 0);
     }
     const auto [a, b, c] = cornersOf(dual_, 3 * face);
-    return powerTest(sites_[a], sites_[b], sites_[c], sites_[site]) > 0;
+    return powerTest(sites_[at(a)], sites_[at(b)], sites_[at(c)], sites_[at(site)]) > 0;
   }
 
   /// Finds the faces that a site takes, which are connected, and the half-edges around them.
   void collect(int site, int face) {
     taken_ = {face};
     around_.clear();
-    mark_[face] = site;
+    mark_[at(face)] = site;
     for (std::size_t k = 0; k < taken_.size(); ++k) {
       for (int h = 3 * taken_[k]; h < 3 * taken_[k] + 3; ++h) {
-        const int beyond = dual_.twin[h] / 3;
-        if (mark_[beyond] == site) continue;
+        const int beyond = dual_.twin[at(h)] / 3;
+        if (mark_[at(beyond)] == site) continue;
         if (isTakenBy(site, beyond)) {
-          mark_[beyond] = site;
+          mark_[at(beyond)] = site;
           taken_.push_back(beyond);
         } else {
           around_.push_back(h);
@@ -129,7 +131,7 @@ class Triangulator {
   /// are hidden.
   void close(int site) {
     rim_.clear();
-    for (const int h : around_) rim_.push_back({dual_.origin[h], dual_.target(h), dual_.twin[h]});
+    for (const int h : around_) rim_.push_back({dual_.origin[at(h)], dual_.target(h), dual_.twin[at(h)]});
     inside_.clear();
     for (const int face : taken_) {
       for (const int corner : cornersOf(dual_, 3 * face)) inside_.push_back(corner);
@@ -138,20 +140,20 @@ class Triangulator {
     for (std::size_t k = 0; k < rim_.size(); ++k) {
       const auto& [from, to, beyond] = rim_[k];
       const int h = 3 * taken_[k];
-      dual_.origin[h] = from;
-      dual_.origin[h + 1] = to;
-      dual_.origin[h + 2] = site;
+      dual_.origin[at(h)] = from;
+      dual_.origin[at(h + 1)] = to;
+      dual_.origin[at(h + 2)] = site;
       dual_.link(h, beyond);
       faceAt_[placeOf(from)] = taken_[k];
       if (isFinite(from) && isFinite(to)) hint_ = taken_[k];
     }
     for (std::size_t k = 0; k < rim_.size(); ++k) dual_.link(3 * taken_[k] + 1, 3 * faceAt_[placeOf(rim_[k].to)] + 2);
     for (const int corner : inside_) {
-      if (isFinite(corner) && faceAt_[placeOf(corner)] == kNone) isHidden_[corner] = true;
+      if (isFinite(corner) && faceAt_[placeOf(corner)] == kNone) isHidden_[at(corner)] = true;
     }
     for (const Rim& rim : rim_) faceAt_[placeOf(rim.from)] = kNone;
     for (std::size_t k = rim_.size(); k < taken_.size(); ++k) {
-      mark_[taken_[k]] = kFree;
+      mark_[at(taken_[k])] = kFree;
       free_.push_back(taken_[k]);
     }
   }
@@ -160,7 +162,7 @@ class Triangulator {
     if (!free_.empty()) {
       const int face = free_.back();
       free_.pop_back();
-      mark_[face] = kNone;
+      mark_[at(face)] = kNone;
       return face;
     }
     const int face = dual_.faceCount();
@@ -176,8 +178,8 @@ class Triangulator {
     for (const int face : free_) {
       const int last = dual_.faceCount() - 1;
       for (int k = 0; k < 3 && face != last; ++k) {
-        dual_.origin[3 * face + k] = dual_.origin[3 * last + k];
-        dual_.link(3 * face + k, dual_.twin[3 * last + k]);
+        dual_.origin[at(3 * face + k)] = dual_.origin[at(3 * last + k)];
+        dual_.link(3 * face + k, dual_.twin[at(3 * last + k)]);
       }
       dual_.origin.resize(dual_.origin.size() - 3);
       dual_.twin.resize(dual_.origin.size());
@@ -231,15 +233,15 @@ class FlatParts {
  public:
   FlatParts(std::span<const WeightedPoint> sites, const Dual& dual) : bends_(sites.size(), 0) {
     for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-      const int t = dual.twin[h];
+      const int t = dual.twin[at(h)];
       if (t < h) continue;
       if (!dual.isFinite(h / 3) || !dual.isFinite(t / 3)) continue;
       const auto [a, b, c] = cornersOf(dual, h);
-      if (powerTest(sites[a], sites[b], sites[c], sites[dual.origin[Dual::previous(t)]]) == 0) {
+      if (powerTest(sites[at(a)], sites[at(b)], sites[at(c)], sites[at(dual.origin[at(Dual::previous(t))])]) == 0) {
         edges_.push_back(h);
       } else {
-        ++bends_[a];
-        ++bends_[b];
+        ++bends_[at(a)];
+        ++bends_[at(b)];
       }
     }
     if (!edges_.empty()) addHull(sites, dual);
@@ -250,19 +252,19 @@ class FlatParts {
 
   /// Returns whether the cell of a corner has no interior. A convex surface bends along three edges or more where it
   /// has a corner. Inside a face it bends along none, and along a straight edge along the two parts of this edge.
-  bool isFlat(int corner) const { return !edges_.empty() && bends_[corner] < 3; }
+  bool isFlat(int corner) const { return !edges_.empty() && bends_[at(corner)] < 3; }
 
  private:
   /// A corner of the hull is none of the surface only if it lies on the lifted line of its two neighbors there.
   void addHull(std::span<const WeightedPoint> sites, const Dual& dual) {
     for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-      if (isFinite(dual.origin[h])) continue;
+      if (isFinite(dual.origin[at(h)])) continue;
       const int v = dual.target(h);
-      const int before = dual.origin[Dual::previous(h)];
+      const int before = dual.origin[at(Dual::previous(h))];
       const int after = dual.target(dual.aroundClockwise(h));
-      const bool isOnLine = orientation(sites[before].p, sites[v].p, sites[after].p) == 0 &&
-                            powerTest(sites[before], sites[after], sites[v]) == 0;
-      bends_[v] = isOnLine ? 0 : 3;
+      const bool isOnLine = orientation(sites[at(before)].p, sites[at(v)].p, sites[at(after)].p) == 0 &&
+                            powerTest(sites[at(before)], sites[at(after)], sites[at(v)]) == 0;
+      bends_[at(v)] = isOnLine ? 0 : 3;
     }
   }
 
@@ -273,14 +275,14 @@ class FlatParts {
 /// Triangulates the sites that are chosen.
 RegularTriangulation ofChosen(std::span<const WeightedPoint> sites, const std::vector<int>& chosen) {
   std::vector<WeightedPoint> corners;
-  for (const int site : chosen) corners.push_back(sites[site]);
+  for (const int site : chosen) corners.push_back(sites[at(site)]);
   RegularTriangulation result = regularTriangulation(corners);
   for (int& corner : result.dual.origin) {
-    if (isFinite(corner)) corner = chosen[corner];
+    if (isFinite(corner)) corner = chosen[at(corner)];
   }
-  for (int& site : result.hidden) site = chosen[site];
+  for (int& site : result.hidden) site = chosen[at(site)];
   std::vector<bool> isChosen(sites.size(), false);
-  for (const int site : chosen) isChosen[site] = true;
+  for (const int site : chosen) isChosen[at(site)] = true;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (!isChosen[i]) result.hidden.push_back(static_cast<int>(i));
   }
@@ -293,7 +295,7 @@ RegularTriangulation settled(RegularTriangulation found, std::span<const Weighte
   const FlatParts flat(sites, found.dual);
   if (flat.edges().empty()) return found;
   std::vector<bool> isCorner(sites.size(), true);
-  for (const int site : found.hidden) isCorner[site] = false;
+  for (const int site : found.hidden) isCorner[at(site)] = false;
   std::vector<int> corners;
   bool hasFlat = false;
   for (std::size_t i = 0; i < sites.size(); ++i) {

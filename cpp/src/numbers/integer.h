@@ -3,7 +3,10 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+
+#include "at.h"
 
 namespace circle_voronoi {
 
@@ -33,16 +36,16 @@ class FixedInteger {
   explicit FixedInteger(limbs::SignedWide value) {
     limbs_[0] = static_cast<Limb>(value);
     if constexpr (kLimbs > 1) limbs_[1] = static_cast<Limb>(value >> limbs::kBits);
-    for (int i = 2; i < kLimbs; ++i) limbs_[i] = value < 0 ? ~Limb{0} : 0;
+    for (int i = 2; i < kLimbs; ++i) limbs_[at(i)] = value < 0 ? ~Limb{0} : 0;
   }
 
   /// Makes value * 2^shift, with shift >= 0.
   FixedInteger(std::int64_t value, int shift) {
     const int zeros = shift / limbs::kBits;
     const auto shifted = static_cast<limbs::SignedWide>(value) * (limbs::SignedWide{1} << shift % limbs::kBits);
-    limbs_[zeros] = static_cast<Limb>(shifted);
-    if (zeros + 1 < kLimbs) limbs_[zeros + 1] = static_cast<Limb>(shifted >> limbs::kBits);
-    for (int i = zeros + 2; i < kLimbs; ++i) limbs_[i] = value < 0 ? ~Limb{0} : 0;
+    limbs_[at(zeros)] = static_cast<Limb>(shifted);
+    if (zeros + 1 < kLimbs) limbs_[at(zeros + 1)] = static_cast<Limb>(shifted >> limbs::kBits);
+    for (int i = zeros + 2; i < kLimbs; ++i) limbs_[at(i)] = value < 0 ? ~Limb{0} : 0;
   }
 
   int sign() const {
@@ -56,9 +59,9 @@ class FixedInteger {
     const bool isNegative = mask() != 0;
     const FixedInteger magnitude = isNegative ? -*this : *this;
     int top = kLimbs - 1;
-    while (top > 0 && magnitude.limbs_[top] == 0) --top;
-    double value = static_cast<double>(magnitude.limbs_[top]);
-    if (top > 0) value = value * 0x1p64 + static_cast<double>(magnitude.limbs_[--top]);
+    while (top > 0 && magnitude.limbs_[at(top)] == 0) --top;
+    double value = static_cast<double>(magnitude.limbs_[at(top)]);
+    if (top > 0) value = value * 0x1p64 + static_cast<double>(magnitude.limbs_[at(--top)]);
     return {isNegative ? -value : value, limbs::kBits * top};
   }
 
@@ -68,8 +71,8 @@ class FixedInteger {
     FixedInteger result;
     Limb carry = 0;
     for (int i = 0; i < kLimbs; ++i) {
-      const Wide total = static_cast<Wide>(a.limbs_[i]) + b.limbs_[i] + carry;
-      result.limbs_[i] = static_cast<Limb>(total);
+      const Wide total = static_cast<Wide>(a.limbs_[at(i)]) + b.limbs_[at(i)] + carry;
+      result.limbs_[at(i)] = static_cast<Limb>(total);
       carry = static_cast<Limb>(total >> limbs::kBits);
     }
     return result;
@@ -79,8 +82,8 @@ class FixedInteger {
     FixedInteger result;
     Limb borrow = 0;
     for (int i = 0; i < kLimbs; ++i) {
-      const Wide rest = static_cast<Wide>(a.limbs_[i]) - b.limbs_[i] - borrow;
-      result.limbs_[i] = static_cast<Limb>(rest);
+      const Wide rest = static_cast<Wide>(a.limbs_[at(i)]) - b.limbs_[at(i)] - borrow;
+      result.limbs_[at(i)] = static_cast<Limb>(rest);
       borrow = static_cast<Limb>(rest >> limbs::kBits) & 1;
     }
     return result;
@@ -94,11 +97,11 @@ class FixedInteger {
     for (int i = 0; i < kLimbs; ++i) {
       Limb carry = 0;
       for (int j = 0; j < kOther; ++j) {
-        const Wide total = static_cast<Wide>(limbs_[i]) * other.limbs_[j] + out[i + j] + carry;
-        out[i + j] = static_cast<Limb>(total);
+        const Wide total = static_cast<Wide>(limbs_[at(i)]) * other.limbs_[at(j)] + out[at(i + j)] + carry;
+        out[at(i + j)] = static_cast<Limb>(total);
         carry = static_cast<Limb>(total >> limbs::kBits);
       }
-      out[i + kOther] = carry;
+      out[at(i + kOther)] = carry;
     }
     // The loop takes a negative factor as unsigned, so as too large by two to the power of its bits. Subtract the
     // excess.
@@ -134,11 +137,11 @@ class FixedInteger {
       Limb& limb = limbs_[i + static_cast<std::size_t>(from)];
       const Wide rest = static_cast<Wide>(limb) - (value[i] & mask) - borrow;
       limb = static_cast<Limb>(rest);
-      borrow = static_cast<Limb>(rest >> limbs::kBits) & 1;
+      borrow = static_cast<Limb>(rest >> limbs::kBits) & Limb{1};
     }
   }
 
-  std::array<Limb, kLimbs> limbs_{};
+  std::array<Limb, std::size_t{kLimbs}> limbs_{};
 };
 
 }  // namespace circle_voronoi

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "at.h"
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "in_circle.h"
@@ -18,16 +19,16 @@ using Triple = Predicates::Triple;
 
 /// Returns the circles of a face, rotated so that a point at infinity comes last.
 exact::Face facing(std::span<const Circle> circles, const Triple& face) {
-  const auto at = [&](int i) { return i == kPointAtInfinity ? nullptr : &circles[i]; };
-  if (face[0] == kPointAtInfinity) return {at(face[1]), at(face[2]), nullptr};
-  if (face[1] == kPointAtInfinity) return {at(face[2]), at(face[0]), nullptr};
-  return {at(face[0]), at(face[1]), at(face[2])};
+  const auto circleAt = [&](int i) { return i == kPointAtInfinity ? nullptr : &circles[at(i)]; };
+  if (face[0] == kPointAtInfinity) return {circleAt(face[1]), circleAt(face[2]), nullptr};
+  if (face[1] == kPointAtInfinity) return {circleAt(face[2]), circleAt(face[0]), nullptr};
+  return {circleAt(face[0]), circleAt(face[1]), circleAt(face[2])};
 }
 
 /// Returns the sign of the distance of the disc's center from that of the smallest circle of its face, or 0 if rounding
 /// hides it. The disc exists if the sign is positive.
 int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
-  return distanceOf(*exact::smallestOf(face), placed.disc, *face[placed.corner]).sign();
+  return distanceOf(*exact::smallestOf(face), placed.disc, *face[at(placed.corner)]).sign();
 }
 
 /// Returns the exact disc at infinity of two circles, one of which nearly contains the other. This case is rare, so the
@@ -84,7 +85,7 @@ FaceDisc Predicates::nearTie(const exact::Face& circles) {
 
 FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered) const {
   const HomogeneousDisc& disc = placed.disc;
-  const auto origin = static_cast<int>(face[placed.corner] - circles_.data());
+  const auto origin = static_cast<int>(face[at(placed.corner)] - circles_.data());
   return {{disc.x, disc.y}, disc.w, disc.rho, disc.error, origin, exists, isFiltered};
 }
 
@@ -93,16 +94,16 @@ std::optional<Vertex> Predicates::vertex(const Triple& face, const FaceDisc& dis
   if (disc.isFiltered) {
     const int corner = disc.origin == i ? 0 : disc.origin == j ? 1 : 2;
     const CornerDisc placed = {{disc.v.x, disc.v.y, disc.w, disc.rho, disc.error}, corner};
-    if (const auto vertex = vertexAt(placed, {&circles_[i], &circles_[j], &circles_[k]})) return vertex;
-    return refinedVertexOf(circles_[i], circles_[j], circles_[k]);
+    if (const auto vertex = vertexAt(placed, {&circles_[at(i)], &circles_[at(j)], &circles_[at(k)]})) return vertex;
+    return refinedVertexOf(circles_[at(i)], circles_[at(j)], circles_[at(k)]);
   }
-  return vertexOf(circles_[i], circles_[j], circles_[k]);
+  return vertexOf(circles_[at(i)], circles_[at(j)], circles_[at(k)]);
 }
 
 int Predicates::exactCross(int from, const Triple& first, const Triple& second) {
   const exact::Face one = facing(circles_, first);
   const exact::Face other = facing(circles_, second);
-  const Circle& seenFrom = circles_[from];
+  const Circle& seenFrom = circles_[at(from)];
   const RefinedTurn turn = refinedTurn(one, other, seenFrom);
   if (const int sign = turn.sign(); sign != 0) {
     ++counts_.refined;
@@ -116,8 +117,8 @@ int Predicates::exactCross(int from, const Triple& first, const Triple& second) 
 }
 
 int Predicates::exactEdgeOrder(int a, int b, int c, int d) {
-  const double r = circles_[a].r;
-  if (circles_[b].r == r && circles_[c].r == r && circles_[d].r == r) {
+  const double r = circles_[at(a)].r;
+  if (circles_[at(b)].r == r && circles_[at(c)].r == r && circles_[at(d)].r == r) {
     ++counts_.inCircle;
     return -inCircle(center(a), center(b), center(c), center(d));
   }
@@ -126,13 +127,13 @@ int Predicates::exactEdgeOrder(int a, int b, int c, int d) {
 
 bool Predicates::isLowerExactly(int from, const Triple& face) {
   const exact::Face circles = facing(circles_, face);
-  if (const int sign = heightOf(refinedDirection(circles, circles_[from])).sign(); sign != 0) {
+  if (const int sign = heightOf(refinedDirection(circles, circles_[at(from)])).sign(); sign != 0) {
     ++counts_.refined;
     return sign < 0;
   }
   ++counts_.exact;
-  const int sign = exact::directionSign(circles, circles_[from], 1);
-  return sign < 0 || (sign == 0 && exact::directionSign(circles, circles_[from], 0) < 0);
+  const int sign = exact::directionSign(circles, circles_[at(from)], 1);
+  return sign < 0 || (sign == 0 && exact::directionSign(circles, circles_[at(from)], 0) < 0);
 }
 
 bool Predicates::contains(const Circle& outer, const Circle& inner) {
@@ -146,16 +147,16 @@ bool Predicates::contains(const Circle& outer, const Circle& inner) {
 }
 
 int Predicates::tangentSide(int a, int b, int c) {
-  if (const int sign = reachBeyond(circles_[a], circles_[b], circles_[c]).sign(); sign != 0) {
+  if (const int sign = reachBeyond(circles_[at(a)], circles_[at(b)], circles_[at(c)]).sign(); sign != 0) {
     ++counts_.filtered;
     return sign;
   }
-  if (const int sign = refinedReach(circles_[a], circles_[b], circles_[c]).sign(); sign != 0) {
+  if (const int sign = refinedReach(circles_[at(a)], circles_[at(b)], circles_[at(c)]).sign(); sign != 0) {
     ++counts_.refined;
     return sign;
   }
   ++counts_.exact;
-  return exact::tangentSide(circles_[a], circles_[b], circles_[c]);
+  return exact::tangentSide(circles_[at(a)], circles_[at(b)], circles_[at(c)]);
 }
 
 }  // namespace circle_voronoi

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/vertex.h"
 #include "exact.h"
@@ -81,8 +82,8 @@ class Predicates {
 
   /// Returns the direction to a disc from circle `from`, a corner of its face.
   Direction direction(int from, const FaceDisc& disc) const {
-    const Circle& o = circles_[disc.origin];
-    const Circle& c = circles_[from];
+    const Circle& o = circles_[at(disc.origin)];
+    const Circle& c = circles_[at(from)];
     return {disc.v.x + disc.w * (o.x - c.x), disc.v.y + disc.w * (o.y - c.y), disc.error};
   }
 
@@ -112,7 +113,7 @@ class Predicates {
 
   /// Returns whether the bisector of a and b is ordered as seen from a. Circle a must not be the smaller one: then the
   /// bisector spans less than half a turn, so that a cross product orders it.
-  bool looksFromFirst(int a, int b) const { return circles_[a].r >= circles_[b].r; }
+  bool looksFromFirst(int a, int b) const { return circles_[at(a)].r >= circles_[at(b)].r; }
 
   /// Returns whether the direction from a corner of a face to its disc lies in the lower half of a fixed frame, which
   /// begins with the half-axis at 180 degrees and ends before the one at 360.
@@ -129,8 +130,8 @@ class Predicates {
 
   /// Returns the circle that the other one contains, or kPointAtInfinity.
   int hiddenOf(int a, int b) {
-    const Circle& one = circles_[a];
-    const Circle& other = circles_[b];
+    const Circle& one = circles_[at(a)];
+    const Circle& other = circles_[at(b)];
     if (isLonger(between(one, other), std::abs(one.r - other.r))) return kPointAtInfinity;
     return contains(one, other) ? b : contains(other, one) ? a : kPointAtInfinity;
   }
@@ -158,7 +159,7 @@ class Predicates {
   [[gnu::noinline]] FaceDisc nearTie(const exact::Face& circles);
   FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered = false) const;
   bool isLowerExactly(int from, const Triple& face);
-  Point center(int i) const { return {circles_[i].x, circles_[i].y}; }
+  Point center(int i) const { return {circles_[at(i)].x, circles_[at(i)].y}; }
 
   std::span<const Circle> circles_;
   FilterCounts counts_;

@@ -25,6 +25,7 @@
 #include <initializer_list>
 #include <tuple>
 
+#include "at.h"
 #include "bit_cast.h"
 #include "two_part.h"
 
@@ -172,9 +173,9 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   const std::array<const Circle*, 3> circles = {&c0, &c1, &c2};
   CornerDisc result;
   result.corner = c1.r < c0.r ? (c2.r < c1.r ? 2 : 1) : (c2.r < c0.r ? 2 : 0);
-  const Circle& o = *circles[result.corner];
-  const Circle& first = *circles[(result.corner + 1) % 3];
-  const Circle& second = *circles[(result.corner + 2) % 3];
+  const Circle& o = *circles[at(result.corner)];
+  const Circle& first = *circles[at((result.corner + 1) % 3)];
+  const Circle& second = *circles[at((result.corner + 2) % 3)];
   const RelativeCircle p(&first, o);
   const RelativeCircle q(&second, o);
   const Relative pq = tangentSquareOf(&first, &second);

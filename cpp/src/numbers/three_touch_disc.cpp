@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "at.h"
 #include "estimate.h"
 #include "exact.h"
 #include "homogeneous_disc.h"
@@ -26,10 +27,10 @@ exact::Face fromLeast(exact::Face circles) {
 
 std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles) {
   const auto& [disc, corner] = placed;
-  const Circle& o = *circles[corner];
+  const Circle& o = *circles[at(corner)];
   // The bound includes the error of w times the longer side, so w has at least this relative accuracy, too.
-  const Vector u = between(o, *circles[(corner + 1) % 3]);
-  const Vector v = between(o, *circles[(corner + 2) % 3]);
+  const Vector u = between(o, *circles[at((corner + 1) % 3)]);
+  const Vector v = between(o, *circles[at((corner + 2) % 3)]);
   if (!(disc.error * disc.error <= 0x1p-72 * disc.w * disc.w * std::max(dot(u, u), dot(v, v)))) return std::nullopt;
   return Vertex{o.x + disc.x / disc.w, o.y + disc.y / disc.w, disc.rho / disc.w - o.r};
 }

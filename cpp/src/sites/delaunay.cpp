@@ -14,6 +14,7 @@
 #include <memory>
 #include <utility>
 
+#include "at.h"
 #include "circle_voronoi/index.h"
 #include "in_circle.h"
 #include "mix.h"
@@ -270,7 +271,7 @@ Part Triangulator::addCorner(std::span<const Site> sites, int face) {
   const auto corner = static_cast<int>(sites.data() - first_);
   int first = sites[0].index;
   for (const Site& site : sites) first = std::min(first, site.index);
-  for (const Site& site : sites) representative_[site.index] = first;
+  for (const Site& site : sites) representative_[at(site.index)] = first;
   corners_[corner] = sites[0].point;
   indices_[corner] = first;
   toInfinity_[corner] = kNone;
@@ -530,7 +531,7 @@ Dual takeDual(Triangulation& triangulation, Threads threads) {
   const HalfEdge* halfEdges = triangulation.halfEdges.get();
   const auto indexOf = [&](int h) {
     const int corner = halfEdges[h].origin;
-    return corner == kPointAtInfinity ? kPointAtInfinity : triangulation.indices[corner];
+    return corner == kPointAtInfinity ? kPointAtInfinity : triangulation.indices[at(corner)];
   };
   // Number the faces by their smallest corner, so that the faces around a circle are near in memory.
   const std::size_t siteCount = triangulation.representative.size();
@@ -542,21 +543,21 @@ Dual takeDual(Triangulation& triangulation, Threads threads) {
   });
   std::vector<int> first(siteCount + 2, 0);
   for (const int place : placeOf) {
-    if (place != kNone) ++first[place + 1];
+    if (place != kNone) ++first[at(place + 1)];
   }
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
   Dual dual;
   dual.origin.resize(3 * static_cast<std::size_t>(first.back()));
   dual.twin.resize(dual.origin.size());
   for (int& place : placeOf) {
-    if (place != kNone) place = first[place]++;
+    if (place != kNone) place = first[at(place)]++;
   }
   threads.forEach(faceCount, [&](std::size_t face) {
     for (int i = 0; i < 3 && placeOf[face] != kNone; ++i) {
       const int h = 3 * static_cast<int>(face) + i;
       const int t = halfEdges[h].twin;
-      dual.origin[3 * placeOf[face] + i] = indexOf(h);
-      dual.twin[3 * placeOf[face] + i] = 3 * placeOf[t / 3] + t % 3;
+      dual.origin[at(3 * placeOf[face] + i)] = indexOf(h);
+      dual.twin[at(3 * placeOf[face] + i)] = 3 * placeOf[at(t / 3)] + t % 3;
     }
   });
   return dual;
@@ -570,8 +571,8 @@ std::vector<std::array<int, 2>> edgesOf(const Triangulation& triangulation, cons
     if (h.origin == kPointAtInfinity) return;
     // Take the half whose origin is lower. No edge to infinity has such a half here.
     const int a = h.origin;
-    const int b = triangulation.halfEdges[h.twin].origin;
-    if (a < b) edges.push_back({triangulation.indices[a], triangulation.indices[b]});
+    const int b = triangulation.halfEdges[at(h.twin)].origin;
+    if (a < b) edges.push_back({triangulation.indices[at(a)], triangulation.indices[at(b)]});
   });
   return edges;
 }

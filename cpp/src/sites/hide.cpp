@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "at.h"
 #include "centers.h"
 #include "infinity.h"
 #include "vectors.h"
@@ -27,7 +28,7 @@ bool areClear(std::span<const Circle> circles, double smallest, const Dual& dual
   const auto isReached = [&](std::size_t h) {
     const int i = dual.origin[h];
     const int j = dual.target(static_cast<int>(h));
-    return i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[i], circles[j], smallest);
+    return i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[at(i)], circles[at(j)], smallest);
   };
   return threads.firstWhere(dual.origin.size(), isReached) == dual.origin.size();
 }
@@ -71,7 +72,7 @@ Sites withoutHidden(const OrderedCircles& ordered, const Hiders& found) {
       visible.circles.push_back(circles[i]);
       visible.indices.push_back(indices[i]);
     } else {
-      visible.hidden.push_back({indices[i], indices[hider[i]]});
+      visible.hidden.push_back({indices[i], indices[at(hider[i])]});
     }
   }
   std::sort(visible.hidden.begin(), visible.hidden.end(),

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "at.h"
 #include "centers.h"
 #include "spatial_order.h"
 
@@ -12,7 +13,7 @@ OrderedCircles order(std::span<const Circle> circles, Threads threads) {
   OrderedCircles ordered;
   ordered.indices = spatialOrder(centersOf(circles), threads);
   ordered.circles.resize(circles.size());
-  threads.forEach(circles.size(), [&](std::size_t i) { ordered.circles[i] = circles[ordered.indices[i]]; });
+  threads.forEach(circles.size(), [&](std::size_t i) { ordered.circles[i] = circles[at(ordered.indices[i])]; });
   return ordered;
 }
 

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "at.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -90,8 +92,8 @@ class SpatialOrder {
   /// Sorts a cell so that equal points follow one another.
   void bringTogether(std::span<Keyed> cell) const {
     std::stable_sort(cell.begin(), cell.end(), [this](const Keyed& a, const Keyed& b) {
-      const Point& p = points_[a.index];
-      const Point& q = points_[b.index];
+      const Point& p = points_[at(a.index)];
+      const Point& q = points_[at(b.index)];
       return p.x != q.x ? p.x < q.x : p.y < q.y;
     });
   }
@@ -99,10 +101,10 @@ class SpatialOrder {
   /// Sets the key of each item on the curve through their bounding box. Returns false if all points are equal.
   bool setKeys(std::span<Keyed> items) const {
     if (items.empty()) return false;
-    Point low = points_[items[0].index];
+    Point low = points_[at(items[0].index)];
     Point high = low;
     for (const Keyed& item : items) {
-      const Point& p = points_[item.index];
+      const Point& p = points_[at(item.index)];
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
@@ -113,7 +115,7 @@ class SpatialOrder {
     if (size == 0) return false;
     const double cells = ((1u << kHilbertBits) - 1) / size;
     threads_.forEach(items.size(), [&](std::size_t i) {
-      const Point& p = points_[items[i].index];
+      const Point& p = points_[at(items[i].index)];
       items[i].key = hilbertKey(static_cast<std::uint32_t>((p.x - low.x) * magnification * cells),
                                 static_cast<std::uint32_t>((p.y - low.y) * magnification * cells));
     });

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "at.h"
 #include "delaunay.h"
 #include "guarded.h"
 
@@ -13,21 +14,21 @@ namespace {
 
 /// Sorts pairs by a counting sort over the first index, then each run; drops repetitions.
 std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount, const ProgressCallback& progress) {
-  std::vector<std::size_t> first(circleCount + 1, 0);
-  for (const auto& [i, j] : pairs) ++first[i + 1];
-  for (int i = 0; i < circleCount; ++i) first[i + 1] += first[i];
+  std::vector<std::size_t> first(at(circleCount) + 1, 0);
+  for (const auto& [i, j] : pairs) ++first[at(i + 1)];
+  for (int i = 0; i < circleCount; ++i) first[at(i + 1)] += first[at(i)];
   std::vector<int> seconds(pairs.size());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   forEachIndex(pairs.size(), partOf(progress, 0, 0.5), [&](std::size_t k) {
     const auto [i, j] = pairs[k];
-    seconds[next[i]++] = j;
+    seconds[next[at(i)]++] = j;
   });
 
   std::vector<Pair> result;
-  forEachIndex(circleCount, partOf(progress, 0.5, 1), [&](std::size_t circle) {
+  forEachIndex(at(circleCount), partOf(progress, 0.5, 1), [&](std::size_t circle) {
     const int i = static_cast<int>(circle);
-    const auto begin = seconds.begin() + static_cast<std::ptrdiff_t>(first[i]);
-    const auto end = seconds.begin() + static_cast<std::ptrdiff_t>(first[i + 1]);
+    const auto begin = seconds.begin() + static_cast<std::ptrdiff_t>(first[at(i)]);
+    const auto end = seconds.begin() + static_cast<std::ptrdiff_t>(first[at(i + 1)]);
     std::sort(begin, end);
     std::for_each(begin, std::unique(begin, end), [&](int j) { result.push_back({i, j}); });
   });
@@ -46,7 +47,7 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const P
   const DelaunayEdges graph = delaunayEdges(samples.points, partOf(progress, 0, kTriangulated));
   if (observer) {
     for (const auto& [s, t] : graph.edges) {
-      observer({TraceKind::samplesJoined, {}, {samples.circles[s], samples.circles[t], kNone}, kNone, {s, t}});
+      observer({TraceKind::samplesJoined, {}, {samples.circles[at(s)], samples.circles[at(t)], kNone}, kNone, {s, t}});
     }
   }
 
@@ -58,17 +59,17 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const P
   forEachIndex(samples.points.size(), partOf(progress, kTriangulated, kShared), [&](std::size_t s) {
     const int point = graph.representative[s];
     const int circle = samples.circles[s];
-    if (circle == samples.circles[point]) return;
-    if (sharedAt[point] < 0) {
-      sharedAt[point] = static_cast<int>(shared.size());
-      shared.push_back({samples.circles[point]});
+    if (circle == samples.circles[at(point)]) return;
+    if (sharedAt[at(point)] < 0) {
+      sharedAt[at(point)] = static_cast<int>(shared.size());
+      shared.push_back({samples.circles[at(point)]});
     }
-    auto& circles = shared[sharedAt[point]];
+    auto& circles = shared[at(sharedAt[at(point)])];
     if (std::find(circles.begin(), circles.end(), circle) == circles.end()) circles.push_back(circle);
   });
   const auto circlesAt = [&](int point) -> std::span<const int> {
-    if (sharedAt[point] < 0) return {&samples.circles[point], 1};
-    return shared[sharedAt[point]];
+    if (sharedAt[at(point)] < 0) return {&samples.circles[at(point)], 1};
+    return shared[at(sharedAt[at(point)])];
   };
 
   std::size_t count = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "angle.h"
+#include "at.h"
 
 namespace circle_voronoi {
 
@@ -15,10 +16,10 @@ RotationSystem::RotationSystem(std::span<const Circle> circles, std::span<const 
   edges_.reserve(2 * pairs.size());
   const int n = static_cast<int>(circles.size());
   for (const auto& [a, b] : pairs) {
-    ++firstSlot_[a + 1];
-    ++firstSlot_[b + 1];
+    ++firstSlot_[at(a + 1)];
+    ++firstSlot_[at(b + 1)];
   }
-  for (int i = 0; i < n; ++i) firstSlot_[i + 1] += firstSlot_[i];
+  for (int i = 0; i < n; ++i) firstSlot_[at(i + 1)] += firstSlot_[at(i)];
 
   struct Spoke {
     double angle;
@@ -29,16 +30,16 @@ RotationSystem::RotationSystem(std::span<const Circle> circles, std::span<const 
   std::vector<int> fill(firstSlot_.begin(), firstSlot_.end() - 1);
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
     const auto [a, b] = pairs[pair];
-    const Vector v = between(circles[a], circles[b]);
-    spokes[fill[a]++] = {pseudoAngle(v), static_cast<int>(pair), false};
-    spokes[fill[b]++] = {pseudoAngle({-v.x, -v.y}), static_cast<int>(pair), true};
+    const Vector v = between(circles[at(a)], circles[at(b)]);
+    spokes[at(fill[at(a)]++)] = {pseudoAngle(v), static_cast<int>(pair), false};
+    spokes[at(fill[at(b)]++)] = {pseudoAngle({-v.x, -v.y}), static_cast<int>(pair), true};
   }
   for (int i = 0; i < n; ++i) {
-    std::sort(spokes.begin() + firstSlot_[i], spokes.begin() + firstSlot_[i + 1],
+    std::sort(spokes.begin() + firstSlot_[at(i)], spokes.begin() + firstSlot_[at(i + 1)],
               [](const Spoke& s, const Spoke& t) { return s.angle != t.angle ? s.angle < t.angle : s.pair < t.pair; });
   }
   for (std::size_t slot = 0; slot < spokes.size(); ++slot) {
-    pairSlots_[spokes[slot].pair][spokes[slot].atB ? 1 : 0] = static_cast<int>(slot);
+    pairSlots_[at(spokes[slot].pair)][spokes[slot].atB ? 1 : 0] = static_cast<int>(slot);
   }
 }
 
@@ -47,12 +48,12 @@ std::vector<std::vector<int>> RotationSystem::cycles() const {
   std::vector<bool> seen(edges_.size(), false);
   for (const Slot& slot : slots_) {
     int index = slot.out;
-    if (index == kNoEdge || seen[index]) continue;
+    if (index == kNoEdge || seen[at(index)]) continue;
     std::vector<int> cycle;
-    while (index != kNoEdge && !seen[index]) {
-      seen[index] = true;
-      cycle.push_back(edges_[index].a);
-      index = adjacentAfter(edges_[index]);
+    while (index != kNoEdge && !seen[at(index)]) {
+      seen[at(index)] = true;
+      cycle.push_back(edges_[at(index)].a);
+      index = adjacentAfter(edges_[at(index)]);
     }
     cycles.push_back(std::move(cycle));
   }

@@ -21,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "at.h"
 #include "circle_voronoi/circle.h"
 #include "pair.h"
 #include "slot_set.h"
@@ -53,36 +54,36 @@ class RotationSystem {
   /// Moves out the slots of each pair.
   std::vector<Slots> takeSlots() { return std::move(pairSlots_); }
 
-  const DirectedEdge& edge(int index) const { return edges_[index]; }
+  const DirectedEdge& edge(int index) const { return edges_[at(index)]; }
 
   /// Returns whether a DE that was placed has not been removed.
-  bool isAlive(int index) const { return slots_[edges_[index].slotA].out == index; }
+  bool isAlive(int index) const { return slots_[at(edges_[at(index)].slotA)].out == index; }
 
   /// Puts a DE into its slots, which hold no other, and returns its index.
   int place(const DirectedEdge& edge) {
     const int index = static_cast<int>(edges_.size());
     edges_.push_back(edge);
-    slots_[edge.slotA].out = index;
-    slots_[edge.slotB].in = index;
+    slots_[at(edge.slotA)].out = index;
+    slots_[at(edge.slotB)].in = index;
     occupied_.insert(edge.slotA);
     occupied_.insert(edge.slotB);
     return index;
   }
 
   void remove(int index) {
-    const DirectedEdge& edge = edges_[index];
-    slots_[edge.slotA].out = kNoEdge;
-    slots_[edge.slotB].in = kNoEdge;
+    const DirectedEdge& edge = edges_[at(index)];
+    slots_[at(edge.slotA)].out = kNoEdge;
+    slots_[at(edge.slotB)].in = kNoEdge;
     for (const int slot : {edge.slotA, edge.slotB}) {
-      if (slots_[slot].out == kNoEdge && slots_[slot].in == kNoEdge) occupied_.erase(slot);
+      if (slots_[at(slot)].out == kNoEdge && slots_[at(slot)].in == kNoEdge) occupied_.erase(slot);
     }
   }
 
   /// The DE that faces the end of `edge` across the unused arc of circle b, kNoEdge if there is none.
-  int adjacentAfter(const DirectedEdge& edge) const { return slots_[slotAfter(edge.b, edge.slotB)].out; }
+  int adjacentAfter(const DirectedEdge& edge) const { return slots_[at(slotAfter(edge.b, edge.slotB))].out; }
 
   /// The DE that faces the start of `edge` across the unused arc of circle a.
-  int adjacentBefore(const DirectedEdge& edge) const { return slots_[slotBefore(edge.a, edge.slotA)].in; }
+  int adjacentBefore(const DirectedEdge& edge) const { return slots_[at(slotBefore(edge.a, edge.slotA))].in; }
 
   /// The DEs that bound the arc of a circle around a slot, counter-clockwise: `in` ends before the slot, and `out`
   /// starts after it. If one is missing, the arc is used up.
@@ -97,14 +98,14 @@ class RotationSystem {
     const std::ptrdiff_t before = slotBefore(circle, slot);
     if (before == SlotSet::kNoSlot) return {};
     const std::ptrdiff_t after = slotAfter(circle, slot);
-    return {slots_[before].in, slots_[after].out, before == after};
+    return {slots_[at(before)].in, slots_[at(after)].out, before == after};
   }
 
   /// Returns the remaining DEs in cycles of adjacent DEs, each as the list of the circles that they start from.
   std::vector<std::vector<int>> cycles() const;
 
-  void prefetchSlot(int slot) const { __builtin_prefetch(&slots_[slot]); }
-  void prefetchEdge(int index) const { __builtin_prefetch(&edges_[index]); }
+  void prefetchSlot(int slot) const { __builtin_prefetch(&slots_[at(slot)]); }
+  void prefetchEdge(int index) const { __builtin_prefetch(&edges_[at(index)]); }
 
  private:
   /// The DEs that start and end in a slot.
@@ -115,13 +116,13 @@ class RotationSystem {
 
   /// The occupied slot of a circle that follows `slot` counter-clockwise, `slot` itself last; SlotSet::kNoSlot if none.
   std::ptrdiff_t slotAfter(int circle, int slot) const {
-    const std::ptrdiff_t found = occupied_.firstIn(slot + 1, firstSlot_[circle + 1]);
-    return found != SlotSet::kNoSlot ? found : occupied_.firstIn(firstSlot_[circle], slot + 1);
+    const std::ptrdiff_t found = occupied_.firstIn(slot + 1, firstSlot_[at(circle + 1)]);
+    return found != SlotSet::kNoSlot ? found : occupied_.firstIn(firstSlot_[at(circle)], slot + 1);
   }
 
   std::ptrdiff_t slotBefore(int circle, int slot) const {
-    const std::ptrdiff_t found = occupied_.lastIn(firstSlot_[circle], slot);
-    return found != SlotSet::kNoSlot ? found : occupied_.lastIn(slot, firstSlot_[circle + 1]);
+    const std::ptrdiff_t found = occupied_.lastIn(firstSlot_[at(circle)], slot);
+    return found != SlotSet::kNoSlot ? found : occupied_.lastIn(slot, firstSlot_[at(circle + 1)]);
   }
 
   std::vector<int> firstSlot_;  ///< the first slot of each circle, and the number of slots

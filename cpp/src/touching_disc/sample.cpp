@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "at.h"
 #include "guarded.h"
 #include "rounded.h"
 
@@ -60,7 +61,7 @@ class Sampler {
 
   void add(int i, Vector direction) {
     constexpr std::size_t kSamplesPerReport = 1 << 16;
-    const Circle& c = circles_[i];
+    const Circle& c = circles_[at(i)];
     const double r = c.r - smallest_;
     // The exact predicates take rounded points only.
     samples_.points.push_back(rounded(Point{c.x + r * direction.x, c.y + r * direction.y}));
@@ -84,9 +85,9 @@ class Sampler {
 std::int64_t countDynamically(const Dual& centers, std::span<const int> angular) {
   std::int64_t count = 0;
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
-    const int i = centers.origin[h];
+    const int i = centers.origin[at(h)];
     if (i == kPointAtInfinity || centers.target(h) == kPointAtInfinity) continue;
-    count += centers.isFinite(h / 3) ? 1 + angular[i] : 1;
+    count += centers.isFinite(h / 3) ? 1 + angular[at(i)] : 1;
   }
   return count;
 }
@@ -97,15 +98,16 @@ Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, 
                           const ProgressCallback& progress) {
   Sampler sampler(circles, countDynamically(centers, angular), progress);
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
-    const int i = centers.origin[h];
+    const int i = centers.origin[at(h)];
     const int j = centers.target(h);
     if (i == kPointAtInfinity || j == kPointAtInfinity) continue;
-    const Vector along = unit(between(circles[i], circles[j]));
+    const Vector along = unit(between(circles[at(i)], circles[at(j)]));
     sampler.add(i, along);
     if (!centers.isFinite(h / 3)) continue;
-    const int k = centers.origin[Dual::previous(h)];
-    const Vector across = unit(between(circles[i], circles[k]));
-    for (int part = 1; part <= angular[i]; ++part) sampler.add(i, divideAngle(along, across, part, angular[i] + 1));
+    const int k = centers.origin[at(Dual::previous(h))];
+    const Vector across = unit(between(circles[at(i)], circles[at(k)]));
+    for (int part = 1; part <= angular[at(i)]; ++part)
+      sampler.add(i, divideAngle(along, across, part, angular[at(i)] + 1));
   }
   return std::move(sampler).take();
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "angle.h"
+#include "at.h"
 #include "rotation_system.h"
 #include "three_touch_disc.h"
 
@@ -75,8 +76,8 @@ class Touch {
   static constexpr std::size_t kDiscsAhead = 6;
 
   void prepare(const AntipodalDisc& disc) const {
-    __builtin_prefetch(&circles_[disc.a]);
-    __builtin_prefetch(&circles_[disc.b]);
+    __builtin_prefetch(&circles_[at(disc.a)]);
+    __builtin_prefetch(&circles_[at(disc.b)]);
     rotations_.prefetchSlot(disc.slotA);
     rotations_.prefetchSlot(disc.slotB);
   }
@@ -93,7 +94,7 @@ class Touch {
     discs_.reserve(pairs.size());
     for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
       const auto [a, b] = pairs[pair];
-      const double gap = length(between(circles_[a], circles_[b])) - circles_[a].r - circles_[b].r;
+      const double gap = length(between(circles_[at(a)], circles_[at(b)])) - circles_[at(a)].r - circles_[at(b)].r;
       discs_.push_back({gap / 2, a, b, slots[pair][0], slots[pair][1]});
     }
     std::sort(discs_.begin(), discs_.end(), [](const AntipodalDisc& s, const AntipodalDisc& t) {
@@ -103,8 +104,8 @@ class Touch {
   }
 
   Vertex placedDisc(const AntipodalDisc& disc) const {
-    const Circle& a = circles_[disc.a];
-    const Vector v = between(a, circles_[disc.b]);
+    const Circle& a = circles_[at(disc.a)];
+    const Vector v = between(a, circles_[at(disc.b)]);
     const double part = (a.r + disc.r) / length(v);
     return {a.x + part * v.x, a.y + part * v.y, disc.r};
   }
@@ -112,7 +113,7 @@ class Touch {
   /// Returns whether the arc of circle i at `slot`, in the given direction to its partner, is already used for the
   /// diagram.
   bool isUsed(int i, int slot, int partner, Vector direction) const {
-    if (!touched_[i]) return false;
+    if (!touched_[at(i)]) return false;
     const RotationSystem::Arc arc = rotations_.arcAt(i, slot);
     if (arc.isUsed()) return true;
     const DirectedEdge& in = rotations_.edge(arc.in);
@@ -135,10 +136,10 @@ class Touch {
   /// as meeting, three-touch discs decide ties. Otherwise two antipodal discs of opposite circles around one disc would
   /// cross.
   int meetingCircle(int i, int slot, const Vertex& disc) const {
-    if (!touched_[i]) return kNone;
+    if (!touched_[at(i)]) return kNone;
     const RotationSystem::Arc arc = rotations_.arcAt(i, slot);
     for (const int near : {rotations_.edge(arc.in).a, rotations_.edge(arc.out).b}) {
-      const Circle& c = circles_[near];
+      const Circle& c = circles_[at(near)];
       const Vector v = {disc.x - c.x, disc.y - c.y};
       const double distance = length(v);
       const double rounding = kDistanceError * (distance + std::abs(c.r) + std::abs(disc.x) + std::abs(disc.y));
@@ -149,7 +150,7 @@ class Touch {
 
   void processAntipodalDisc(const AntipodalDisc& antipodal) {
     const auto& [radius, a, b, slotA, slotB] = antipodal;
-    const Vector v = between(circles_[a], circles_[b]);
+    const Vector v = between(circles_[at(a)], circles_[at(b)]);
     const Vector back = {-v.x, -v.y};
     const Vertex disc = placedDisc(antipodal);
     if (isUsed(a, slotA, b, v) || isUsed(b, slotB, a, back)) {
@@ -163,8 +164,8 @@ class Touch {
       return;
     }
     tell({TraceKind::antipodalDiscAccepted, disc, {a, b, kNone}, kNone});
-    touched_[a] = true;
-    touched_[b] = true;
+    touched_[at(a)] = true;
+    touched_[at(b)] = true;
     // Going along the segment of DE(a,b), b is on the left.
     const int edge = static_cast<int>(result_.topology.edges.size());
     result_.topology.edges.push_back({b, a, kNone, kNone});
@@ -186,9 +187,10 @@ class Touch {
   /// of the DE. `toCenterA` and `toCenterB` lead from the centers of its circles to the center of the disc.
   bool isForward(const DirectedEdge& edge, Vector toCenterA, Vector toCenterB) const {
     // The smaller circle sees the whole bisector within less than a full turn around the direction of the larger one.
-    const Vector axis = between(circles_[edge.a], circles_[edge.b]);
-    return circles_[edge.a].r <= circles_[edge.b].r ? compareAngles(axis, edge.fromA, toCenterA) <= 0
-                                                    : compareAngles({-axis.x, -axis.y}, edge.fromB, toCenterB) >= 0;
+    const Vector axis = between(circles_[at(edge.a)], circles_[at(edge.b)]);
+    return circles_[at(edge.a)].r <= circles_[at(edge.b)].r
+               ? compareAngles(axis, edge.fromA, toCenterA) <= 0
+               : compareAngles({-axis.x, -axis.y}, edge.fromB, toCenterB) >= 0;
   }
 
   void formThreeTouchDiscs(int index) {
@@ -203,7 +205,7 @@ class Touch {
     const DirectedEdge& bc = rotations_.edge(second);
     if (bc.b == ab.a) return;
     // The disc lies to the right of a -> b -> c: these are clockwise around it.
-    const auto disc = threeTouchDisc(circles_[ab.a], circles_[bc.b], circles_[ab.b]);
+    const auto disc = threeTouchDisc(circles_[at(ab.a)], circles_[at(bc.b)], circles_[at(ab.b)]);
     if (!disc) return;
     const auto& [toA, toC, toB] = disc->toCenter;
     if (!isForward(ab, toA, toB) || !isForward(bc, toB, toC)) return;
@@ -219,7 +221,7 @@ class Touch {
     const bool isStale =
         !rotations_.isAlive(first) || !rotations_.isAlive(second) || rotations_.adjacentAfter(ab) != second;
     if (isStale && !observer_) return;
-    const auto disc = threeTouchDisc(circles_[ab.a], circles_[bc.b], circles_[ab.b]);
+    const auto disc = threeTouchDisc(circles_[at(ab.a)], circles_[at(bc.b)], circles_[at(ab.b)]);
     if (isStale) {
       tell({TraceKind::threeTouchDiscStale, disc->disc, {ab.a, ab.b, bc.b}, kNone, {first, second}});
       return;
@@ -252,7 +254,7 @@ class Touch {
   /// The segment of a DE ends at a vertex, and the DE with it.
   void finish(int index, int vertex, const Vertex& disc) {
     const DirectedEdge& edge = rotations_.edge(index);
-    Edge& voronoi = result_.topology.edges[edge.edge];
+    Edge& voronoi = result_.topology.edges[at(edge.edge)];
     (edge.isEnd ? voronoi.end : voronoi.start) = vertex;
     tell({TraceKind::segmentFinished, disc, {edge.a, edge.b, kNone}, vertex, {index, kNone}});
     rotations_.remove(index);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// std::from_chars and std::to_chars for double: <charconv> has the first from version 20 of libc++ on, the second
-// from 14.
+// std::to_chars for double, which <charconv> has from version 14 of libc++ on.
 #pragma once
 #include <charconv>
 
 #if _LIBCPP_VERSION < 14000
 #include <dragonbox/dragonbox.h>
-#include <fast_float/fast_float.h>
 
 #include <algorithm>
 #include <array>
@@ -17,20 +15,6 @@
 #include <system_error>
 
 namespace std {
-
-inline from_chars_result from_chars(const char* first, const char* last, double& value) {
-  double read = 0;
-  const auto [stop, code] = ::fast_float::from_chars(first, last, read);
-  if (code != errc()) return {stop, code};
-  // It gives a number beyond the doubles as infinite or zero.
-  const string_view numeral(first, static_cast<size_t>(stop - first));
-  const size_t digit = numeral.find_first_of("123456789");
-  const bool isNumber = numeral.find_first_of("iInN") == string_view::npos;
-  const bool isNotZero = digit < min(numeral.find_first_of("eE"), numeral.size());
-  if (isNumber && (isinf(read) || (read == 0 && isNotZero))) return {stop, errc::result_out_of_range};
-  value = read;
-  return {stop, code};
-}
 
 /// Only `scientific`, with the shortest digits that read back to the same bits. Precondition: there is room.
 inline to_chars_result to_chars(char* to, char* last, double value, chars_format) {
