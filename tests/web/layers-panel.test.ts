@@ -25,6 +25,7 @@ describe('a switch of the panel of layers', () => {
   it.each([
     ['Circles', 'circles'],
     ['Names', 'labels'],
+    ['Cells in full color', 'fullColor'],
     ['Edges', 'edges'],
     ['Vertices', 'vertices'],
     ['What hides hidden circles', 'hidden'],

@@ -77,7 +77,7 @@ const figure = new Figure(
       steps = all
     },
     onoutcome: (outcome) => {
-      actions.followColumn(outcome)
+      actions.follow(outcome)
       // The initial data set is not saved.
       if (hasShown) keeping.changed()
       hasShown = true
@@ -102,6 +102,13 @@ mountLegend(store, view)
 const fileActions = loadedOnce(async () => {
   const { FileActions } = await import('./files/file-actions.ts')
   return new FileActions(store, editing, actions, view, { files, reader, links })
+})
+const photoBar = loadedOnce(async () => {
+  const { mountPhoto } = await import('./panels/photo.ts')
+  mountPhoto(store, actions, await fileActions(), await motion())
+})
+store.subscribe(({ attributes }) => {
+  if (actions.photos.has(attributes)) photoBar().catch(() => complain(NOT_LOADED))
 })
 const degreesNotice = loadedOnce(async () => {
   const { mountDegrees } = await import('./panels/degrees.ts')
