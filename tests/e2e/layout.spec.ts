@@ -113,7 +113,7 @@ test('all panels, several circles and help have no serious accessibility violati
   await app.page.getByLabel('Colors').selectOption('by area of the cell')
   await expect(app.page.locator('#legend')).toContainText('Area of the cell')
   await expectNone()
-  await app.openPanel('Generate')
+  await app.openPanel('Gallery')
   await expect(app.page.getByRole('button', { name: /^uniform/ })).toBeVisible()
   await expectNone()
   await app.openPanel('Table')

@@ -91,7 +91,11 @@ const links = new LinkWriter(files)
 const keeping = new StatePersistence(links, () => actions.linkState())
 view.on('layers', () => keeping.changed())
 
-const generate = mountGenerate(actions, files)
+const openFile = async (file: File) => {
+  const opening = await fileActions().catch(() => complain(NOT_LOADED))
+  await opening?.openFile(file)
+}
+const generate = mountGenerate(actions, files, openFile)
 store.subscribe(({ dataSet }) => generate.show(dataSet))
 mountToolbar(store, actions, generate.open)
 mountTrial(view, actions)
@@ -117,10 +121,7 @@ const degreesNotice = loadedOnce(async () => {
 store.subscribe(({ degrees }) => {
   if (degrees !== undefined) degreesNotice().catch(() => complain(NOT_LOADED))
 })
-mountSay(store, async (file) => {
-  const opening = await fileActions().catch(() => complain(NOT_LOADED))
-  await opening?.openFile(file)
-})
+mountSay(store, openFile)
 const motion = loadedOnce(async () => {
   const { stoppableMotion } = await import('./motion/stop.ts')
   return stoppableMotion(view, editing, actions, store)

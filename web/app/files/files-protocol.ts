@@ -65,4 +65,6 @@ export interface FilesCalls {
   /** @throws CircleVoronoiError `badInput` if the family or figure is unknown */
   make(recipe: Recipe): Float64s
   catalogue(): Catalogue
+  /** Draws a diagram as a small SVG, clipped to the rings of a region. @throws CircleVoronoiError as `compute` */
+  thumbnail(circles: Float64s, name: string, rings: readonly (readonly (readonly number[])[])[]): string
 }

@@ -45,6 +45,10 @@ const calls: {
   write,
   link: encodeLink,
   make: async (recipe) => (await generators()).make(recipe),
+  thumbnail: async (circles, name, rings) => {
+    const { thumbnail } = await import('../first-picture.ts')
+    return thumbnail((await library()).compute(circles), name, rings)
+  },
   catalogue: async () => (await generators()).catalogue(),
 }
 
