@@ -23,6 +23,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   const panel = page.getByRole('region', { name: 'Gallery' })
   await expect(panel.getByRole('button', { name: /^Eight circles/ })).toBeFocused()
   await expect(page.getByLabel('Data set')).toHaveValue('bronzefilter')
+  await page.getByText('Hard inputs', { exact: true }).click()
   await panel.getByLabel('Number of circles').fill('50')
   await panel.getByLabel('Random seed').fill('7')
   await panel.getByRole('button', { name: /^clustered/ }).click()
@@ -69,6 +70,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
 test('a figure of the paper, and links to what is none', async ({ app }) => {
   const { page } = app
   await app.openPanel('Gallery')
+  await page.getByText('Hard inputs', { exact: true }).click()
   await page.getByRole('button', { name: /^Figure 13b/ }).click()
   await expect(app.status).toContainText('14 circles')
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 13b')

@@ -114,6 +114,7 @@ test('all panels, several circles and help have no serious accessibility violati
   await expect(app.page.locator('#legend')).toContainText('Area of the cell')
   await expectNone()
   await app.openPanel('Gallery')
+  await app.page.getByText('Hard inputs', { exact: true }).click()
   await expect(app.page.getByRole('button', { name: /^uniform/ })).toBeVisible()
   await expectNone()
   await app.openPanel('Table')

@@ -7,6 +7,7 @@ import { expect, test } from './page.ts'
 test('candidates and samples change what the method finds, and not the diagram', async ({ app }) => {
   const { page } = app
   await app.openPanel('Gallery')
+  await page.getByText('Hard inputs', { exact: true }).click()
   await page.getByRole('button', { name: /^Figure 5d/ }).click()
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 5d')
   await app.openPanel('Gallery')

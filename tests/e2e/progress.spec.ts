@@ -37,6 +37,7 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   const before = await app.status.textContent()
   await app.openPanel('Gallery')
   const panel = page.getByRole('region', { name: 'Gallery' })
+  await panel.getByText('Hard inputs', { exact: true }).click()
   // The thread never receives the circles, so it computes as long as the test needs. A new thread takes over.
   await threadOf(page).evaluate(() => {
     const thread = globalThis as unknown as { onmessage(event: MessageEvent): void }

@@ -133,7 +133,10 @@ describe('a region on the screen', () => {
     scene.open(CIRCLES, { region: RINGS }, regions)
     scene.setLayers({ ...DEFAULT_LAYERS, dual: true, ...layers })
     const drawing = new SvgDrawing()
-    const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) }) as Style
+    const style = new Proxy(
+      {},
+      { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
+    ) as Style
     scene.draw(drawing, frame, 1, style)
     return String(drawing)
   }

@@ -885,7 +885,10 @@ it.each([
   scene.setLayers({ ...DEFAULT_LAYERS, ...layers } as Layers)
   if (scene.isPowerMissing) scene.addPower(metrics)
   if (scene.isMethodMissing) scene.addMethod()
-  const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) }) as Style
+  const style = new Proxy(
+    {},
+    { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
+  ) as Style
   const lengthsAt = (pixelRatio: number) => {
     const drawing = new SvgDrawing()
     const [scale, width, height] = [30, 800, 700].map((pixels) => pixels * pixelRatio) as [number, number, number]

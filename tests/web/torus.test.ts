@@ -12,7 +12,10 @@ import { MAP_COLORS, type Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
 
 const LATTICE: Lattice = { a: [8, 0], b: [2, 6] }
-const STYLE = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) }) as Style
+const STYLE = new Proxy(
+  {},
+  { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
+) as Style
 
 function circles(count: number, seed: number): Float64Array {
   const random = seededRandom(seed)

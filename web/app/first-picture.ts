@@ -9,7 +9,7 @@ import { Coloring } from '../view/painter/coloring.ts'
 const REACH = 12
 /** Digits after the decimal point, of circles that are a few units large. */
 const DIGITS = 3
-/** The same for a thumbnail, and its number of pixels along the longest side. */
+/** Extent of cells and edges in a thumbnail, and its number of pixels along the longest side. */
 const REACH_OF_THUMBNAIL = 2
 const PIXELS = 200
 

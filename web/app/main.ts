@@ -202,6 +202,11 @@ if (begun === 'refused') {
   }
 }
 arrangeAround(view, actions)
+import('./panels/tooltips.ts').then(
+  ({ mountTooltips }) => mountTooltips(),
+  // Browsers have tooltips of their own.
+  () => {},
+)
 import('./printing.ts').then(
   ({ printDrawing }) => printDrawing(view, byId('paper', HTMLElement)),
   // The screen is printed.
