@@ -350,7 +350,7 @@ test('a circle keeps its color where it is dragged, through undo, another scale 
     await soon(() => app.colors(centers), `after undo of circle ${i}`).toEqual(known)
   }
   await page.keyboard.press('Escape')
-  const button = page.getByRole('button', { name: 'Play the method' })
+  const button = page.getByRole('button', { name: 'Step by step' })
   await button.click()
   await expect(page.getByRole('region', { name: 'The method, step by step' })).toBeVisible()
   await button.click()

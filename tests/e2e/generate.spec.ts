@@ -20,24 +20,25 @@ async function saved(page: Page): Promise<Float64Array> {
 test('a family with a number and a seed, again, edited, and the same after a reload', async ({ app }) => {
   const { page } = app
   await page.getByLabel('Data set').selectOption({ label: 'More …' })
-  const panel = page.getByRole('region', { name: 'Generate' })
+  const panel = page.getByRole('region', { name: 'Gallery' })
   await expect(panel.getByRole('button', { name: /^Eight circles/ })).toBeFocused()
   await expect(page.getByLabel('Data set')).toHaveValue('bronzefilter')
-  await panel.getByLabel('n', { exact: true }).fill('50')
-  await panel.getByLabel('seed', { exact: true }).fill('7')
+  await page.getByText('Hard inputs', { exact: true }).click()
+  await panel.getByLabel('Number of circles').fill('50')
+  await panel.getByLabel('Random seed').fill('7')
   await panel.getByRole('button', { name: /^clustered/ }).click()
   await expect(app.status).toContainText('50 circles')
   await soon(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:50' })
   await app.openPanel('Files')
   expect(await saved(page)).toEqual(generators.make({ kind: 'family', family: 'clustered', seed: 7, count: 50 }))
-  await app.openPanel('Generate')
+  await app.openPanel('Gallery')
 
   // A number that the browser refuses changes nothing; a valid one takes effect at once.
-  await panel.getByLabel('n', { exact: true }).fill('0')
-  await panel.getByLabel('n', { exact: true }).press('Enter')
+  await panel.getByLabel('Number of circles').fill('0')
+  await panel.getByLabel('Number of circles').press('Enter')
   await expect(app.status).toContainText('50 circles')
-  await panel.getByLabel('n', { exact: true }).fill('60')
-  await panel.getByLabel('n', { exact: true }).press('Enter')
+  await panel.getByLabel('Number of circles').fill('60')
+  await panel.getByLabel('Number of circles').press('Enter')
   await expect(app.status).toContainText('60 circles')
   await page.getByRole('button', { name: 'Undo' }).click()
   await expect(app.status).toContainText('50 circles')
@@ -48,7 +49,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await page.getByRole('button', { name: 'Another random sample' }).click()
   await soon(async () => (await stateOf(app))?.dataSet).toMatch(/^clustered:(?!7:)\d+:60$/)
   const name = (await stateOf(app))?.dataSet as string
-  await expect(panel.getByLabel('seed', { exact: true })).toHaveValue(name.split(':')[1] as string)
+  await expect(panel.getByLabel('Random seed')).toHaveValue(name.split(':')[1] as string)
 
   await page.locator('#figure').focus()
   await page.keyboard.press('Enter')
@@ -58,7 +59,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await soon(async () => (await stateOf(app))?.edits?.length).toBe(1)
   await app.openPanel('Files')
   const edited = await saved(page)
-  await app.openPanel('Generate')
+  await app.openPanel('Gallery')
   await page.reload()
   await expect(app.status).toContainText('59 circles')
   await expect(panel.getByRole('button', { name: /^clustered/ })).toHaveAttribute('aria-current', 'true')
@@ -68,7 +69,8 @@ test('a family with a number and a seed, again, edited, and the same after a rel
 
 test('a figure of the paper, and links to what is none', async ({ app }) => {
   const { page } = app
-  await app.openPanel('Generate')
+  await app.openPanel('Gallery')
+  await page.getByText('Hard inputs', { exact: true }).click()
   await page.getByRole('button', { name: /^Figure 13b/ }).click()
   await expect(app.status).toContainText('14 circles')
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 13b')

@@ -139,8 +139,9 @@ test('the disc at the pointer is shown wherever it is, and what belongs to place
 
 test('fields take no value that is not used', async ({ app }) => {
   const { page } = app
-  await app.openPanel('Generate')
-  const count = page.getByRole('region', { name: 'Generate' }).getByLabel('n', { exact: true })
+  await app.openPanel('Gallery')
+  await page.getByText('Hard inputs', { exact: true }).click()
+  const count = page.getByRole('region', { name: 'Gallery' }).getByLabel('Number of circles')
   await count.fill('0')
   await count.press('Tab')
   await expect(count).toHaveValue('300')

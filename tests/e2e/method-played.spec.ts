@@ -11,7 +11,7 @@ const stepOfAddress = (app: App) => stepOf(new URL(app.page.url()).hash)
 
 test('is one button away, follows what is edited, and a link opens it at its step', async ({ app }) => {
   const { page } = app
-  const button = page.getByRole('button', { name: 'Play the method' })
+  const button = page.getByRole('button', { name: 'Step by step' })
   const player = page.getByRole('region', { name: 'The method, step by step' })
   const slider = player.getByRole('slider', { name: 'Step' })
   const sentence = player.locator('.sentence')
@@ -118,7 +118,7 @@ test.describe('on a phone', () => {
   test('has a sheet of its own, and leaves the picture its room', async ({ app }) => {
     const { page } = app
     const player = page.getByRole('region', { name: 'The method, step by step' })
-    await app.openPanel('Play the method')
+    await app.openPanel('Step by step')
     await expect(player.locator('.sentence')).toHaveText('There are 678 circles.')
     await player.getByRole('button', { name: 'Next step', exact: true }).tap()
     await expect(player.locator('.sentence')).toContainText('The Delaunay graph of the centers')

@@ -6,10 +6,11 @@ import { expect, test } from './page.ts'
 
 test('candidates and samples change what the method finds, and not the diagram', async ({ app }) => {
   const { page } = app
-  await app.openPanel('Generate')
+  await app.openPanel('Gallery')
+  await page.getByText('Hard inputs', { exact: true }).click()
   await page.getByRole('button', { name: /^Figure 5d/ }).click()
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 5d')
-  await app.openPanel('Generate')
+  await app.openPanel('Gallery')
   const counts = async () => (await app.status.textContent())?.replace(/ · [^·]* m?s$/, '')
   const before = await counts()
   await app.openPanel('Layers')

@@ -11,7 +11,7 @@ import { framesOf } from './frames.ts'
 
 /** The space that the page keeps free for its panels (web/app/padding.ts), in a wide window and on a phone. */
 export const PADDING = { top: 84, right: 32, bottom: 106, left: 94 }
-const PADDING_OF_PHONE = { top: 78, right: 16, bottom: 220, left: 16 }
+const PADDING_OF_PHONE = { top: 98, right: 16, bottom: 220, left: 16 }
 const NARROW = 640
 const ROOM = 16
 

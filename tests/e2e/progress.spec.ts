@@ -35,16 +35,17 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   const progress = page.locator('#progress')
   await app.select((await app.circles()) as Float64Array, 600)
   const before = await app.status.textContent()
-  await app.openPanel('Generate')
-  const panel = page.getByRole('region', { name: 'Generate' })
+  await app.openPanel('Gallery')
+  const panel = page.getByRole('region', { name: 'Gallery' })
+  await panel.getByText('Hard inputs', { exact: true }).click()
   // The thread never receives the circles, so it computes as long as the test needs. A new thread takes over.
   await threadOf(page).evaluate(() => {
     const thread = globalThis as unknown as { onmessage(event: MessageEvent): void }
     const hear = thread.onmessage
     thread.onmessage = (event) => event.data.kind !== 'open' && hear(event)
   })
-  await panel.getByLabel('n', { exact: true }).fill('600')
-  await panel.getByLabel('n', { exact: true }).press('Enter')
+  await panel.getByLabel('Number of circles').fill('600')
+  await panel.getByLabel('Number of circles').press('Enter')
   await panel.getByRole('button', { name: /^points/ }).click()
   await expect(progress).toContainText('Computing the diagram of 600 circles …')
   // The selection belonged to the former circles.

@@ -118,17 +118,17 @@ test('a clip is recorded by one tap, of circles or of the method, and everything
   const before = await counts()
   for (const isMethod of [false, true]) {
     if (isMethod) {
-      await page.getByRole('button', { name: 'Play the method' }).click()
+      await page.getByRole('button', { name: 'Step by step' }).click()
       await expect(page.getByRole('region', { name: 'The method, step by step' })).toBeVisible()
     }
-    if (!(await page.getByRole('button', { name: 'Record a clip' }).isVisible())) await share(app)
+    if (!(await page.getByRole('button', { name: 'Record a video' }).isVisible())) await share(app)
     const [film] = await Promise.all([
       page.waitForEvent('download'),
-      page.getByRole('button', { name: 'Record a clip' }).click(),
+      page.getByRole('button', { name: 'Record a video' }).click(),
     ])
     expect(film.suggestedFilename()).toMatch(/^circles-clip\.(mp4|webm)$/)
     expect(readFileSync(await film.path()).length).toBeGreaterThan(10_000)
-    await expect(page.getByRole('button', { name: 'Record a clip' })).toBeEnabled()
+    await expect(page.getByRole('button', { name: 'Record a video' })).toBeEnabled()
   }
   expect(await counts()).toBe(before)
   await soon(() => app.circles()).toEqual(START)

@@ -259,7 +259,8 @@ test('keys bring the current row into sight, and up from the heading there is no
 
 test('of a hundred thousand rows only those that are seen are elements', async ({ app }) => {
   const { page } = app
-  await app.openPanel('Generate')
+  await app.openPanel('Gallery')
+  await page.getByText('Hard inputs', { exact: true }).click()
   await page.getByRole('button', { name: /^Figure 14/ }).click()
   await expect(app.status).toContainText('100,000 circles', { timeout: 60_000 })
   const table = new Table(app)

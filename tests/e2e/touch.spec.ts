@@ -107,7 +107,7 @@ test('the method shows all circles beside its panel, also after an edit', async 
   await app.inspector.getByRole('button', { name: 'Duplicate' }).tap()
   await expect(app.status).toContainText('9 circles')
   await page.getByRole('button', { name: 'More tools' }).tap()
-  await page.getByRole('button', { name: 'Play the method' }).tap()
+  await page.getByRole('button', { name: 'Step by step' }).tap()
   const player = page.getByRole('region', { name: 'The method, step by step' })
   await expect(player).toBeVisible()
   await expect(app.inspector).toBeHidden()

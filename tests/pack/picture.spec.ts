@@ -90,6 +90,11 @@ const STATES: Readonly<Record<string, LinkInput>> = {
     colors: '0123450',
     layers: layers('grid'),
   },
+  'a mosaic': {
+    circles: CIRCLES,
+    region: REGION,
+    layers: { fullColor: true, edges: false, vertices: false },
+  },
   'names alone': { circles: CIRCLES, names: ['A', '', 'B', '', '', 'C', ''], layers: { labels: true } },
   'names that are not shown': { circles: CIRCLES, names: ['A', '', 'B', '', '', 'C', ''], layers: { labels: false } },
   'a step of the method': { circles: CIRCLES, step: 40, layers: { dual: true } },

@@ -6,7 +6,7 @@ import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
 import { SceneBackend } from '../../web/picture/scene-backend.ts'
 import { boxOf } from '../../web/view/domain.ts'
-import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
 import { answers } from '../../web/view/painter/answers.ts'
 import { Clip } from '../../web/view/painter/clip.ts'
 import { fitted, fittedEdits } from '../../web/view/painter/fitted-edits.ts'
@@ -17,7 +17,7 @@ import { addBorder, addInside, addOutside, partShown } from '../../web/view/pain
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { isRegionText, readRegion } from '../../web/view/region-text.ts'
-import type { Style } from '../../web/view/style.ts'
+import { MAP_COLORS, type Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
 import { RecordingSink, windingOf } from './recording-sink.ts'
 import { box, ring } from './shapes.ts'
@@ -128,12 +128,15 @@ describe('a region on the screen', () => {
     },
   )
 
-  const drawn = (frame: Frame) => {
+  const drawn = (frame: Frame, layers: Partial<Layers> = {}) => {
     const scene = new PaintedScene(library)
     scene.open(CIRCLES, { region: RINGS }, regions)
-    scene.setLayers({ ...DEFAULT_LAYERS, dual: true })
+    scene.setLayers({ ...DEFAULT_LAYERS, dual: true, ...layers })
     const drawing = new SvgDrawing()
-    const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
+    const style = new Proxy(
+      {},
+      { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
+    ) as Style
     scene.draw(drawing, frame, 1, style)
     return String(drawing)
   }
@@ -152,6 +155,15 @@ describe('a region on the screen', () => {
     expect(text.includes('stroke="edge"')).toBe(part !== 'outside')
     // The veil covers the outside.
     expect(text.includes('fill="paper" fill-opacity="0.6"')).toBe(part !== 'inside')
+  })
+
+  it('has no line around cells in full color without edges, whose seams are covered', () => {
+    const frame = { x: 4, y: 4, scale: 20, width: 200, height: 200 }
+    const layers = { fullColor: true, circles: false, dual: false }
+    const [lined, mosaic] = [drawn(frame, layers), drawn(frame, { ...layers, edges: false, vertices: false })]
+    for (const text of [lined, mosaic]) expect(text).not.toMatch(/fill="map" fill-opacity/)
+    expect(lined).toContain('stroke="region"')
+    expect(new Set([...mosaic.matchAll(/stroke="(\w+)"/g)].map(([, color]) => color))).toEqual(new Set(['map']))
   })
 
   it('cuts cells and edges in an SVG, and not circles', () => {

@@ -2,6 +2,7 @@
 // The panel of layers on the whole page: each control, and the layers that are drawn afterwards.
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { toScreen } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS, type Layers, MOST_PAIRED, MOST_TRACED } from '../../web/view/layers.ts'
 import { all, control, controls } from './page-document.ts'
 import { entered, FIVE, found, pressed, quiet, SIZE, wholePage } from './whole-page.ts'
@@ -21,10 +22,24 @@ beforeEach(async () => {
 
 const expectLayers = (more: Partial<Layers>) => expect(layers()).toEqual({ ...DEFAULT_LAYERS, ...more })
 
+it('the ends of a new path are in the part of the picture that no panel covers', async () => {
+  const { view, actions } = page
+  const covered = { top: 10, right: 300, bottom: 20, left: 400 }
+  Object.defineProperty(actions, 'paddingNow', { value: covered, configurable: true })
+  const { from, to } = actions.pathAcross()
+  Reflect.deleteProperty(actions, 'paddingNow')
+  for (const end of [from, to]) {
+    const { x } = toScreen(view.camera, view.size, end)
+    expect(x).toBeGreaterThan(covered.left)
+    expect(x).toBeLessThan(view.size.width - covered.right)
+  }
+})
+
 describe('a switch of the panel of layers', () => {
   it.each([
     ['Circles', 'circles'],
     ['Names', 'labels'],
+    ['Cells in full color', 'fullColor'],
     ['Edges', 'edges'],
     ['Vertices', 'vertices'],
     ['What hides hidden circles', 'hidden'],

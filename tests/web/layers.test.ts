@@ -38,7 +38,7 @@ import { Picture } from '../../web/view/painter/picture.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
-import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
+import { ENOUGH_COLORS, MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { leastDistance, signedDistance } from './oracle.ts'
 import { RecordingSink } from './recording-sink.ts'
@@ -73,7 +73,7 @@ describe('colors of which neighbors have different ones', () => {
     for (let e = 0; e < diagram.edges.length; e += 4) {
       const [one, other] = [colorOf(at(diagram.edges, e)), colorOf(at(diagram.edges, e + 1))]
       expect(one).not.toBe(other)
-      expect(Math.max(one, other)).toBeLessThan(MAP_COLORS)
+      expect(Math.max(one, other)).toBeLessThan(ENOUGH_COLORS)
     }
   }
 
@@ -81,6 +81,11 @@ describe('colors of which neighbors have different ones', () => {
     const picture = new Picture(library.edit(dataSet(name)))
     const coloring = new Coloring(picture.diagram)
     expectProper(picture, (i) => coloring.colorOf(idOf(picture.diagram, i)))
+  })
+
+  it('are one for each of eight circles, such as those of the first scene', () => {
+    const coloring = new Coloring(library.compute(dataSet('start')))
+    expect(new Set([0, 1, 2, 3, 4, 5, 6, 7].map((i) => coloring.colorOf(i))).size).toBe(MAP_COLORS)
   })
 
   it('stay with their circles in all edits, while other colors are shown, and in a box that repeats', () => {
@@ -117,7 +122,7 @@ describe('colors of which neighbors have different ones', () => {
       picture.apply(change)
       const i = picture.diagram.indexOf(at(change.inserted, 0))
       const taken = new Set(Array.from(picture.diagram.neighbors(i), (j) => picture.colorOf(j)))
-      if (taken.size < MAP_COLORS) expect(taken).not.toContain(picture.colorOf(i))
+      if (taken.size < ENOUGH_COLORS) expect(taken).not.toContain(picture.colorOf(i))
     }
   })
 
@@ -329,7 +334,7 @@ it('each cell is filled once, however many have the same color', () => {
   const picture = new Picture(library.edit(randomCircles(600)))
   picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
   const drawing = new SvgDrawing()
-  const style = { ramp: [], map: ['a', 'b', 'c', 'd', 'e', 'f'], cellOpacity: 0.5 } as Partial<Style> as Style
+  const style = { ramp: [], map: [...'abcdefgh'], cellOpacity: 0.5 } as Partial<Style> as Style
   cells.draw(new PaintContext(drawing, { x: 10, y: 10, scale: 40, width: 800, height: 800 }, 1, picture, style))
   const { diagram } = picture
   const visible = picture.circlesIn({ minX: 0, minY: 0, maxX: 20, maxY: 20 }).filter((i) => diagram.cells.exists(i))
@@ -880,7 +885,10 @@ it.each([
   scene.setLayers({ ...DEFAULT_LAYERS, ...layers } as Layers)
   if (scene.isPowerMissing) scene.addPower(metrics)
   if (scene.isMethodMissing) scene.addMethod()
-  const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
+  const style = new Proxy(
+    {},
+    { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
+  ) as Style
   const lengthsAt = (pixelRatio: number) => {
     const drawing = new SvgDrawing()
     const [scale, width, height] = [30, 800, 700].map((pixels) => pixels * pixelRatio) as [number, number, number]

@@ -273,7 +273,7 @@ describe('what is no link', () => {
     ],
     ...['{"layers":{"a":1e999}}', { dataSet: 'a', circles: [] }],
     ...['a', [7], ['a'.repeat(201)]].map((names) => ({ circles: [0, 0, 1], names })),
-    ...['6', 5].map((colors) => ({ circles: [0, 0, 1], colors })),
+    ...['8', 5].map((colors) => ({ circles: [0, 0, 1], colors })),
     ...Object.entries(WRONG).flatMap(([name, values]) => values.map((value) => ({ [name]: value }))),
   ])('is refused once it is unpacked: %j', async (value) => {
     await isRefused(said(value).then(decodeLink))

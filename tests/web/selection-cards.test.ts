@@ -127,6 +127,19 @@ describe('the name of the selected circle', () => {
 })
 
 describe('the color of the selection', () => {
+  it('is shown where all have it, and several colors are none', async () => {
+    const field = () => control(element('group'), 'Color')
+    await select(1, 2)
+    expect([field().className, field().value]).not.toContain('#000000')
+    expect(field().className).toBe('mixed')
+    await page.actions.setColor([1, 2], '#123456')
+    await select(1, 2)
+    expect([field().className, field().value]).toEqual(['', '#123456'])
+    await page.actions.setColor([2], '#654321')
+    await select(1, 2)
+    expect(field().className).toBe('mixed')
+  })
+
   it('of several circles is set on their card', async () => {
     const group = element('group')
     await select(1, 4)

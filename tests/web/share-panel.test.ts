@@ -42,9 +42,9 @@ describe('the panel Share', () => {
   })
 
   it('says why there is no clip in a browser that records none', async () => {
-    await pressed(panel, 'Record a clip')
+    await pressed(panel, 'Record a video')
     await soon(() => expect(page.store.get().problem).not.toBe(''))
-    expect(control(panel, 'Record a clip').disabled).toBe(false)
+    expect(control(panel, 'Record a video').disabled).toBe(false)
     expect(page.editing.circles.circles()).toEqual(FIVE)
   })
 
@@ -60,8 +60,8 @@ describe('the panel Share', () => {
     Object.assign(globalThis, { MediaRecorder: Recorder })
     await page.actions.edit([{ kind: 'replace', id: 0, circle: [0, 0, 1] }])
     const { done } = page.store.get().history
-    await pressed(panel, 'Record a clip')
-    await soon(() => expect(control(panel, 'Record a clip').disabled).toBe(false))
+    await pressed(panel, 'Record a video')
+    await soon(() => expect(control(panel, 'Record a video').disabled).toBe(false))
     await quiet()
     expect([page.circle(0), page.circle(1)?.r]).toEqual([{ x: 0, y: 0, r: 1 }, 3])
     expect(page.store.get().history.done).toHaveLength(done.length)

@@ -8,11 +8,14 @@ import { answers } from '../../web/view/painter/answers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
-import type { Style } from '../../web/view/style.ts'
+import { MAP_COLORS, type Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
 
 const LATTICE: Lattice = { a: [8, 0], b: [2, 6] }
-const STYLE = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
+const STYLE = new Proxy(
+  {},
+  { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
+) as Style
 
 function circles(count: number, seed: number): Float64Array {
   const random = seededRandom(seed)

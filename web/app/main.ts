@@ -77,7 +77,7 @@ const figure = new Figure(
       steps = all
     },
     onoutcome: (outcome) => {
-      actions.followColumn(outcome)
+      actions.follow(outcome)
       // The initial data set is not saved.
       if (hasShown) keeping.changed()
       hasShown = true
@@ -91,7 +91,11 @@ const links = new LinkWriter(files)
 const keeping = new StatePersistence(links, () => actions.linkState())
 view.on('layers', () => keeping.changed())
 
-const generate = mountGenerate(actions, files)
+const openFile = async (file: File) => {
+  const opening = await fileActions().catch(() => complain(NOT_LOADED))
+  await opening?.openFile(file)
+}
+const generate = mountGenerate(actions, files, openFile)
 store.subscribe(({ dataSet }) => generate.show(dataSet))
 mountToolbar(store, actions, generate.open)
 mountTrial(view, actions)
@@ -103,6 +107,13 @@ const fileActions = loadedOnce(async () => {
   const { FileActions } = await import('./files/file-actions.ts')
   return new FileActions(store, editing, actions, view, { files, reader, links })
 })
+const photoBar = loadedOnce(async () => {
+  const { mountPhoto } = await import('./panels/photo.ts')
+  mountPhoto(store, actions, await fileActions(), await motion())
+})
+store.subscribe(({ attributes }) => {
+  if (actions.photos.has(attributes)) photoBar().catch(() => complain(NOT_LOADED))
+})
 const degreesNotice = loadedOnce(async () => {
   const { mountDegrees } = await import('./panels/degrees.ts')
   mountDegrees(store, editing, actions, files)
@@ -110,10 +121,7 @@ const degreesNotice = loadedOnce(async () => {
 store.subscribe(({ degrees }) => {
   if (degrees !== undefined) degreesNotice().catch(() => complain(NOT_LOADED))
 })
-mountSay(store, async (file) => {
-  const opening = await fileActions().catch(() => complain(NOT_LOADED))
-  await opening?.openFile(file)
-})
+mountSay(store, openFile)
 const motion = loadedOnce(async () => {
   const { stoppableMotion } = await import('./motion/stop.ts')
   return stoppableMotion(view, editing, actions, store)
@@ -194,6 +202,11 @@ if (begun === 'refused') {
   }
 }
 arrangeAround(view, actions)
+import('./panels/tooltips.ts').then(
+  ({ mountTooltips }) => mountTooltips(),
+  // Browsers have tooltips of their own.
+  () => {},
+)
 import('./printing.ts').then(
   ({ printDrawing }) => printDrawing(view, byId('paper', HTMLElement)),
   // The screen is printed.

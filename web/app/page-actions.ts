@@ -29,7 +29,7 @@ import {
   sourceOf,
 } from './data-sets.ts'
 import type { FilesClient } from './files/files-client.ts'
-import type { Read } from './files/files-protocol.ts'
+import type { Photo, Read, Stippled } from './files/files-protocol.ts'
 import type { Recipe } from './generators/generators.ts'
 import { interestingBox, sizeOf } from './generators/interesting-box.ts'
 import type { RegionPen } from './region-pen.ts'
@@ -41,6 +41,8 @@ export class PageActions extends EditorActions {
   /** Reads and generates circles. */
   readonly #reader: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
+  /** The photos of the session by the attributes of their circles, which undo brings back, too. */
+  readonly photos = new WeakMap<Attributes, Photo>()
   /** The attributes of the current colors. */
   #attributes: Attributes | undefined
 
@@ -172,12 +174,31 @@ export class PageActions extends EditorActions {
     this.setLayers({ column: column && cellValues(column, circles, valueAt) })
   }
 
-  /** Updates the colors after an edit or a change of values. Call with each outcome. */
-  followColumn({ edited, attributes, isOpened }: Outcome): void {
+  /** Updates the colors after an edit, a change of values or an opening. Call with each outcome. */
+  follow({ edited, attributes, isOpened }: Outcome): void {
+    if (isOpened) this.#showMosaic(this.photos.has(attributes))
     const { column } = this.view.layers
     const isOther = isOpened || attributes !== this.#attributes || edited.inserted.length > 0
     this.#attributes = attributes
     if (column !== undefined && isOther) this.colorBy(column.name)
+  }
+
+  /** Shows the circles of a photo as a mosaic, and others as usual. */
+  #showMosaic(isPhoto: boolean): void {
+    if (isPhoto === this.view.layers.fullColor) return
+    this.setLayers({ fullColor: isPhoto, circles: !isPhoto, edges: !isPhoto, vertices: !isPhoto })
+  }
+
+  /** Opens circles made from a photo, clipped to its frame. */
+  openPhoto(file: File, count: number, read: () => Promise<Stippled>): Promise<HowOpened> {
+    return this.open(async () => {
+      const { circles, attributes, size } = await read()
+      const { width, height } = size
+      this.photos.set(attributes, { file, count, size })
+      const frame = [[[0, 0] as const, [width, 0] as const, [width, height] as const, [0, height] as const]]
+      const domain = { region: frame, areas: undefined }
+      return { circles, attributes, domain, dataSet: '', isEdited: false }
+    })
   }
 
   /** The names of numeric columns. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { COORDINATE_LIMIT, SMALLEST_INPUT } from '../lib/base/coordinate-limits.ts'
-import type { Edit } from '../lib/index.ts'
+import type { Edit, Point } from '../lib/index.ts'
 import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
-import { boundingBox } from '../view/camera.ts'
+import { boundingBox, toPlane } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { NO_ATTRIBUTES } from './attributes.ts'
@@ -11,7 +11,7 @@ import type { CircleSet } from './history.ts'
 import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
 import { SelectionActions } from './selection-actions.ts'
 
-/** Initial length of a path, relative to the view's width. */
+/** Initial length of a path, relative to the width that no panel covers. */
 const PATH_SHARE = 0.6
 
 /** Whether the numbers are in the range of `compute`. */
@@ -148,10 +148,13 @@ export class OpeningActions extends SelectionActions {
     this.view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
   }
 
-  /** A path across the visible part of the plane. */
+  /** A path across the part of the plane that no panel covers. */
   pathAcross(): NonNullable<Layers['path']> {
     const { camera, size } = this.view
-    const half = (PATH_SHARE * size.width) / camera.scale / 2
-    return { from: { x: camera.x - half, y: camera.y }, to: { x: camera.x + half, y: camera.y } }
+    const { top, right, bottom, left } = this.paddingNow
+    const y = (top + size.height - bottom) / 2
+    const margin = ((1 - PATH_SHARE) / 2) * (size.width - left - right)
+    const [from, to] = [left + margin, size.width - right - margin].map((x) => toPlane(camera, size, { x, y }))
+    return { from: from as Point, to: to as Point }
   }
 }

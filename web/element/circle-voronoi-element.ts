@@ -164,12 +164,14 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-tint-3 - The fourth color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-4 - The fifth color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-5 - The sixth color of the ramp: the color of the largest value.
- * @cssprop {<color>} --circle-voronoi-map-0 - One of six colors by which neighbors differ.
- * @cssprop {<color>} --circle-voronoi-map-1 - One of six colors by which neighbors differ.
- * @cssprop {<color>} --circle-voronoi-map-2 - One of six colors by which neighbors differ.
- * @cssprop {<color>} --circle-voronoi-map-3 - One of six colors by which neighbors differ.
- * @cssprop {<color>} --circle-voronoi-map-4 - One of six colors by which neighbors differ.
- * @cssprop {<color>} --circle-voronoi-map-5 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-0 - One of eight colors by which circles differ.
+ * @cssprop {<color>} --circle-voronoi-map-1 - One of eight colors by which circles differ.
+ * @cssprop {<color>} --circle-voronoi-map-2 - One of eight colors by which circles differ.
+ * @cssprop {<color>} --circle-voronoi-map-3 - One of eight colors by which circles differ.
+ * @cssprop {<color>} --circle-voronoi-map-4 - One of eight colors by which circles differ.
+ * @cssprop {<color>} --circle-voronoi-map-5 - One of eight colors by which circles differ.
+ * @cssprop {<color>} --circle-voronoi-map-6 - One of eight colors by which circles differ.
+ * @cssprop {<color>} --circle-voronoi-map-7 - One of eight colors by which circles differ.
  * @cssprop {<color>} --circle-voronoi-cell-opacity - A color whose alpha value is the opacity of the circles' colors in their cells.
  * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The aspect ratio of the picture, if its height is not set.
  */

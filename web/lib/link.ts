@@ -94,7 +94,7 @@ export interface LinkState extends LinkFrame {
   /** The name of a data set, instead of circles. */
   readonly dataSet?: string | undefined
   /**
-   * The colors in which the playground shows the circles: a digit from 0 to 5 for each, by ascending id. Others are
+   * The colors in which the playground shows the circles: a digit from 0 to 7 for each, by ascending id. Others are
    * chosen so that neighbors differ.
    */
   readonly colors?: string | undefined
@@ -344,8 +344,8 @@ function problemOf(said: unknown): string | undefined {
   }
   if (attributes !== undefined && !areAttributes(attributes, Array.isArray(circles) ? circles.length / 3 : 0))
     return 'the attributes are not those of the circles'
-  if (colors !== undefined && !(typeof colors === 'string' && /^[0-5]*$/.test(colors)))
-    return 'the colors are not digits from 0 to 5'
+  if (colors !== undefined && !(typeof colors === 'string' && /^[0-7]*$/.test(colors)))
+    return 'the colors are not digits from 0 to 7'
   if (dataSet !== undefined) {
     if (!isName(dataSet)) return 'the data set is not a name'
     if (circles !== undefined) return 'it has circles and a data set'

@@ -82,6 +82,8 @@ export interface Layers {
   readonly cells: CellColors
   /** Values by which cells are colored, in place of `cells`. */
   readonly column: CellValues | undefined
+  /** Whether cells have the full color of their circles, as in a mosaic, in place of a tint. */
+  readonly fullColor: boolean
   /** The names of circles. */
   readonly labels: boolean
   /** Axes and a grid with their coordinates. */
@@ -141,6 +143,7 @@ export const DEFAULT_LAYERS: Layers = Object.freeze({
   circles: true,
   cells: 'auto',
   column: undefined,
+  fullColor: false,
   labels: true,
   grid: false,
   edges: true,

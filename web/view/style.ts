@@ -6,8 +6,10 @@ export const DOT_RADIUS = 1.5
 const TINTS = 6
 /** Number of shades of the ramp, interpolated between those colors. */
 export const SHADES = 61
-/** Number of colors that greedy coloring in smallest-last order needs for any map. */
-export const MAP_COLORS = 6
+/** Number of colors by which circles differ. */
+export const MAP_COLORS = 8
+/** Number of these colors that greedy coloring in smallest-last order needs for any map. */
+export const ENOUGH_COLORS = 6
 
 const COLORS = [
   'paper',

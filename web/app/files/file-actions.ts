@@ -24,9 +24,10 @@ import { chooseColumns } from '../panels/choose-columns.ts'
 import { toast } from '../panels/toast.ts'
 import { unknownTable } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
-import type { NamedColumns, Read, SavedFormat } from './files-protocol.ts'
+import type { NamedColumns, Photo, Read, SavedFormat } from './files-protocol.ts'
 import { type ReadsRegion, regionOfFile, regionOfText } from './region-file.ts'
 import { elementCode, embedCode, save } from './saving.ts'
+import { USUAL_CIRCLES } from './stipple.ts'
 import { withLink, withTable } from './svg-scene.ts'
 
 /** Limit for files, in bytes. Browsers could not show larger ones. */
@@ -38,6 +39,8 @@ const LONGEST_LINK = 2_000_000
 const POSTER = { long: 4961, short: 3508 }
 /** Size of the picture on a worksheet, in pixels. */
 const SHEET = { width: 960, height: 640 }
+/** The longest side of a saved photo, in pixels. */
+const LONGEST_SIDE = 2400
 /** Margin around all circles in a picture, in pixels. */
 const ROOM = 24
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
@@ -84,7 +87,25 @@ export class FileActions {
     // Avoids reading a file that is too large.
     const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file).catch(() => undefined)
     if (region !== undefined) return this.#clipTo(region, file.name, gesture)
-    return this.#openRead(() => this.#readFile(file))
+    return isPicture(file) ? this.openPhoto(file) : this.#openRead(() => this.#readFile(file))
+  }
+
+  /** Opens a photo as circles. Undo restores another number of circles, too. */
+  openPhoto(file: File, count = USUAL_CIRCLES): Promise<HowOpened> {
+    return this.#actions.openPhoto(file, count, () => {
+      if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
+      return this.#threads.reader.call('stipple', file, count).catch(() => {
+        throw new Error(`${file.name} cannot be read as a picture.`)
+      })
+    })
+  }
+
+  /** Saves the mosaic of a photo, as large as the photo's frame. */
+  async savePhoto({ size: { width, height } }: Photo): Promise<void> {
+    const scale = LONGEST_SIDE / Math.max(width, height)
+    const size = { width: Math.round(width * scale), height: Math.round(height * scale) }
+    const camera = { x: width / 2, y: height / 2, scale }
+    await this.#try(async () => save(await this.#view.toPNG(1, { camera, size }), 'photo-circles.png'))
   }
 
   /** Opens the first of several files, and says so. */
@@ -199,18 +220,10 @@ export class FileActions {
 
   async #readFile(file: File): Promise<Read> {
     if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
-    const isPicture = file.type.startsWith('image/') && file.type !== 'image/svg+xml'
-    if (!isPicture) {
-      const bytes = await file.arrayBuffer().catch(() => {
-        throw new Error(unreadable(file))
-      })
-      return this.#read(new Uint8Array(bytes), file.name)
-    }
-    try {
-      return await this.#threads.reader.call('stipple', file)
-    } catch {
-      throw new Error(`${file.name} cannot be read as a picture.`)
-    }
+    const bytes = await file.arrayBuffer().catch(() => {
+      throw new Error(unreadable(file))
+    })
+    return this.#read(new Uint8Array(bytes), file.name)
   }
 
   /** Reads a file. `columns` is the user's choice, for a table whose columns the reader does not know. */
@@ -467,6 +480,10 @@ export class FileActions {
       return false
     }
   }
+}
+
+function isPicture({ type }: File): boolean {
+  return type.startsWith('image/') && type !== 'image/svg+xml'
 }
 
 function unreadable({ name }: File): string {

@@ -4,6 +4,7 @@ import type { Attributes } from '../../editing/attributes.ts'
 import type { Degrees } from '../../editing/history.ts'
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkAttributes, LinkInput } from '../../lib/link.ts'
+import type { Size } from '../../view/camera.ts'
 import type { Domain } from '../../view/domain.ts'
 import type { Catalogue, Recipe } from '../generators/generators.ts'
 
@@ -38,12 +39,25 @@ export interface HowRead {
 /** The contents of a file: circles, or a link that was saved with them. */
 export type Read = (NamedCircles & { readonly skipped?: number | undefined }) | { readonly link: string }
 
+/** Circles in the colors of a photo, in pixels with y upward, and the size of the photo. */
+export interface Stippled extends NamedCircles {
+  readonly attributes: Attributes
+  readonly size: Size
+}
+
+/** A photo, and how many circles were made from it. */
+export interface Photo {
+  readonly file: File
+  readonly count: number
+  readonly size: Size
+}
+
 /** The functions of the thread. */
 export interface FilesCalls {
   /** @throws CircleVoronoiError as `readCircleFile`, `readDiagramFile` */
   read(bytes: Uint8Array<ArrayBuffer>, name: string, how?: HowRead): Read
   /** Converts a picture to circles. @throws CircleVoronoiError `internal` if the browser cannot read it */
-  stipple(picture: Blob): Read
+  stipple(picture: Blob, count: number): Stippled
   /** Writes circles or cells; `domain` has the clipping region or the periods. @throws CircleVoronoiError as `compute`, `writeDiagram` */
   write(circles: Float64s, format: SavedFormat, domain?: Partial<Domain>, attributes?: LinkAttributes): string
   /** @throws CircleVoronoiError as `encodeLink` */
@@ -51,4 +65,6 @@ export interface FilesCalls {
   /** @throws CircleVoronoiError `badInput` if the family or figure is unknown */
   make(recipe: Recipe): Float64s
   catalogue(): Catalogue
+  /** Draws a diagram as a small SVG, clipped to the rings of a region. @throws CircleVoronoiError as `compute` */
+  thumbnail(circles: Float64s, name: string, rings: readonly (readonly (readonly number[])[])[]): string
 }

@@ -35,14 +35,20 @@ const calls: {
   ) => ReturnType<FilesCalls[Name]> | Promise<ReturnType<FilesCalls[Name]>>
 } = {
   read,
-  stipple: async (picture) => {
-    const { circles, colors } = stippled(await pixelsOf(picture), randomNumbers(STIPPLED))
+  stipple: async (picture, count) => {
+    const pixels = await pixelsOf(picture)
+    const { circles, colors } = stippled(pixels, randomNumbers(STIPPLED), count)
     const values = colors.map((color) => JSON.stringify(color))
-    return { circles, attributes: { ...NO_ATTRIBUTES, columns: [{ name: COLOR, values }] } }
+    const { width, height } = pixels
+    return { circles, attributes: { ...NO_ATTRIBUTES, columns: [{ name: COLOR, values }] }, size: { width, height } }
   },
   write,
   link: encodeLink,
   make: async (recipe) => (await generators()).make(recipe),
+  thumbnail: async (circles, name, rings) => {
+    const { thumbnail } = await import('../first-picture.ts')
+    return thumbnail((await library()).compute(circles), name, rings)
+  },
   catalogue: async () => (await generators()).catalogue(),
 }
 

@@ -2,8 +2,8 @@
 // Converts a picture to disjoint circles: many large ones in dark parts.
 import type { Float64s } from '../../lib/index.ts'
 
-/** The number of circles, and the largest number of pixels that are analyzed. */
-const CIRCLES = 1800
+/** The usual number of circles, and the largest number of pixels that are analyzed. */
+export const USUAL_CIRCLES = 1800
 const PIXELS = 60_000
 /** Number of iterations in which all circles move to the centroids of their cells. */
 const ROUNDS = 14
@@ -56,7 +56,7 @@ function tonesOf({ width, height, data }: Pixels): Float32Array {
  * Converts a picture to circles by weighted Voronoi stippling (Secord, 2002), in pixels with y upward. `random` returns
  * numbers from 0 to 1.
  */
-export function stippled(pixels: Pixels, random: () => number, count = CIRCLES): Stippled {
+export function stippled(pixels: Pixels, random: () => number, count = USUAL_CIRCLES): Stippled {
   const { width, height } = pixels
   const tones = tonesOf(pixels)
   const weights = tones.map((tone) => LEAST + (1 - LEAST) * tone * tone)

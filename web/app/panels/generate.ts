@@ -2,10 +2,12 @@
 import { html, nothing, type TemplateResult } from 'lit/html.js'
 import type { Float64s } from '../../lib/index.ts'
 import { icon } from '../../player/icon.ts'
-import { DICE } from '../../view/icons.ts'
-import { DATA_SETS, type DataSet, MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
+import { ringsOf } from '../../view/domain.ts'
+import { DICE, PICTURE } from '../../view/icons.ts'
+import { parsedSvg } from '../../view/parsed-svg.ts'
+import { DATA_SETS, type DataSet, dataSetOf, loadDataSet, MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
 import type { FilesClient } from '../files/files-client.ts'
-import type { Catalogue, Family, Figure, Pictured } from '../generators/generators.ts'
+import type { Catalogue, Family, Figure, Pictured, Recipe } from '../generators/generators.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
@@ -19,19 +21,30 @@ const GROUPS: readonly (readonly [title: string, holds: (family: Family) => bool
   ['In special position', ({ isDegenerate }) => isDegenerate],
 ]
 
+/** Number of circles in the thumbnails of random circles, relative to their number, and the least one. */
+const SHOWN = 0.05
+const LEAST_SHOWN = 40
+
 /**
- * Families of random circles with number and seed, and the figures of the paper. Returns a function that opens the
- * panel.
+ * The gallery: data sets, a photo, and hard inputs, which are families of random circles with number and seed, and the
+ * figures of the paper. Returns a function that opens the panel.
  */
-export function mountGenerate(actions: PageActions, files: FilesClient): { show(dataSet: string): void; open(): void } {
+export function mountGenerate(
+  actions: PageActions,
+  files: FilesClient,
+  openFile: (file: File) => void,
+): { show(dataSet: string): void; open(): void } {
   const panel = byId('generate', HTMLElement)
   let fields = FIRST
   let shown = ''
   let catalogue: Catalogue | undefined
   let picture: ((sample: Float64s) => TemplateResult) | undefined
   let problem = ''
+  let isHardOpen = false
+  const thumbnails = new Map<string, SVGElement | undefined>()
 
   const load = async () => {
+    if (catalogue !== undefined) return
     try {
       const [loaded, { pictureOf }] = await Promise.all([
         files.call('catalogue'),
@@ -44,8 +57,28 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
     }
     draw()
   }
+  /** Draws the thumbnails one by one. Without one, a data set has its name and its line. */
+  const drawThumbnails = async () => {
+    if (isHardOpen) load()
+    for (const dataSet of DATA_SETS) {
+      if (thumbnails.has(dataSet.id)) continue
+      thumbnails.set(dataSet.id, undefined)
+      const text = await textOfThumbnail(dataSet).catch(() => '')
+      thumbnails.set(dataSet.id, parsedSvg(text))
+      draw()
+    }
+  }
+  const textOfThumbnail = async ({ id, random }: DataSet) => {
+    const make = (recipe: Recipe) => files.call('make', recipe)
+    if (random === undefined) {
+      const { circles, domain } = await loadDataSet(id, make)
+      return files.call('thumbnail', circles, id, ringsOf(domain?.region))
+    }
+    const count = Math.max(Math.round(SHOWN * random.count), LEAST_SHOWN)
+    return files.call('thumbnail', await make({ kind: 'family', ...random, count, seed: 1 }), id, [])
+  }
   const draw = () => folded.render(body)
-  const folded = panelOf(panel, 'Circles', draw, { onopen: load })
+  const folded = panelOf(panel, 'Gallery', draw, { onopen: drawThumbnails })
 
   const generate = (family: string) => actions.generate({ kind: 'family', family, ...fields })
   const change = (event: Event) => {
@@ -103,33 +136,60 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
     `
   }
 
-  const setRow = ({ id, label, about, credit }: DataSet) => html`
+  const setTile = ({ id, label, about, credit }: DataSet) => html`
     <li>
-      <button type="button" data-name=${id} aria-current=${id === shown} @click=${() => actions.load(id)}>
-        <span>${label}<small>${about}${credit === undefined ? nothing : html`<br />${credit}`}</small></span>
+      <button type="button" class="scene" data-name=${id} aria-current=${id === dataSetOf(shown)?.id} title=${credit ?? nothing} @click=${() => actions.load(id)}>
+        <span class="frame">${thumbnails.get(id)}</span><b>${label}</b><small>${about}</small>
       </button>
     </li>
   `
+  const choosePhoto = ({ target }: Event) => {
+    const input = target as HTMLInputElement
+    const file = input.files?.[0]
+    if (file !== undefined) openFile(file)
+    // Allows choosing the same file again.
+    input.value = ''
+  }
+  const photoTile = () => html`
+    <li>
+      <label class="button scene">
+        <span class="frame">${icon(PICTURE)}</span><b>A photo of yours</b><small>It becomes a mosaic, and stays on your device.</small>
+        <input type="file" class="visually-hidden" accept="image/*" aria-label="A photo of yours" @change=${choosePhoto} />
+      </label>
+    </li>
+  `
 
-  const body = () => html`
-    <ul aria-label="Prepared circles">
-      ${DATA_SETS.filter(({ random }) => random === undefined).map(setRow)}
-    </ul>
-    <h3>Random circles</h3>
+  const toggleHard = ({ target }: Event) => {
+    isHardOpen = (target as HTMLDetailsElement).open
+    if (isHardOpen) load()
+  }
+  const hard = () => html`
+    <p class="quiet">Families of circles that test programs: crowded, hidden, on lines, nearly touching, of very different sizes.</p>
     <div class="fields">
-      <label title="How many circles a family makes">
-        n
+      <label>
+        Number of circles
         <input name="count" type="number" min="1" max=${MOST_CIRCLES} step="1" required .value=${String(fields.count)} @change=${change} autocomplete="off" />
       </label>
-      <label title="The same seed makes the same circles">
-        seed
-        <input name="seed" type="number" min="0" max=${Number.MAX_SAFE_INTEGER} step="1" required .value=${String(fields.seed)} @change=${change} autocomplete="off" />
+      <label>
+        Random seed
+        <input name="seed" type="number" min="0" max=${Number.MAX_SAFE_INTEGER} step="1" required .value=${String(fields.seed)} @change=${change} autocomplete="off" aria-describedby="about-seed" />
       </label>
       <button type="button" class="icon" aria-label="Another seed" title="Another seed" @click=${again}>
         ${icon(DICE)}
       </button>
     </div>
+    <p id="about-seed" class="quiet">The same seed always gives the same circles; another seed gives others of the same kind.</p>
     ${catalogue === undefined ? html`<p class="quiet">${problem === '' ? 'Loading …' : problem}</p>` : list(catalogue)}
+  `
+
+  const body = () => html`
+    <ul class="gallery" aria-label="Data sets">
+      ${DATA_SETS.map(setTile)} ${photoTile()}
+    </ul>
+    <details ?open=${isHardOpen} @toggle=${toggleHard}>
+      <summary>Hard inputs</summary>
+      ${hard()}
+    </details>
   `
 
   draw()
@@ -139,7 +199,9 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
       shown = dataSet
       const source = sourceOf(dataSet)
       if (source?.kind === 'family') fields = { seed: source.seed, count: source.count }
+      if (source !== undefined && dataSetOf(dataSet) === undefined) isHardOpen = true
       draw()
+      if (isHardOpen && folded.isOpen) load()
     },
     open() {
       folded.open()

@@ -7,7 +7,7 @@ import { CLOSE } from '../../view/icons.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
-import { colorPicker } from './identity.ts'
+import { colorPicker, hexOf } from './identity.ts'
 
 /** The card of a selection of several circles: their number and the actions. */
 export function mountGroup(store: Store<State>, actions: PageActions): void {
@@ -21,6 +21,8 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
   store.subscribe(({ selection }) => {
     panel.hidden = selection.length < 2
     if (panel.hidden) return
+    const colors = new Set(selection.map((id) => hexOf(actions.ownColorOf(id) ?? '')))
+    const color = colors.size === 1 ? [...colors][0] : undefined
     render(
       html`
         <header>
@@ -30,7 +32,7 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
           </button>
         </header>
         <div class="choices">
-          <label>Color <input type="color" @input=${pick.input} @change=${pick.change} /></label>
+          <label>Color <input type="color" class=${color === undefined ? 'mixed' : nothing} .value=${color ?? '#888888'} @input=${pick.input} @change=${pick.change} /></label>
           ${selectionActions(actions, selection)}
         </div>
       `,

@@ -64,7 +64,7 @@ export function colorPicker(actions: PageActions, store: Store<State>) {
 }
 
 /** Converts a CSS color to the format of color fields, `#rrggbb`; `undefined` if it is not opaque. */
-function hexOf(color: string): string | undefined {
+export function hexOf(color: string): string | undefined {
   const context = new OffscreenCanvas(1, 1).getContext('2d') as OffscreenCanvasRenderingContext2D
   context.fillStyle = '#00000000'
   context.fillStyle = color

@@ -11,6 +11,7 @@ const PICTURES = {
   labels: svg`${CIRCLES}<path class="edge" d="M6 18l3-7 3 7m-5-2.500h4" />`,
   grid: svg`<path class="q" d="M1 5h30M1 11h30M22 0v22M28 0v22M10 0v22M4 0v22" /><path class="edge" d="M1 17h30M16 0v22" />`,
   cells: svg`<path class="a" d="M0 0h11c1 6 5 10 11 16v6H0z" /><path class="b" d="M11 0c1 6 5 10 11 16h10V0z" />`,
+  fullColor: svg`<path class="f" d="M0 0h11c1 6 5 10 11 16v6H0z" /><path class="g" d="M11 0c1 6 5 10 11 16h10V0z" />`,
   edges: svg`${CIRCLES}<path class="edge" d=${EDGE} />`,
   vertices: svg`<path class="q" d="M1 3l13 8M14 11l2 10M14 11 31 6" /><circle class="vertex" cx="14" cy="11" r="2.6" />`,
   disc: svg`${CIRCLES}${OTHERS}<circle class="touching" cx="15.500" cy="8.300" r="4.300" /><circle class="touching dot" cx="12.200" cy="11.200" r="1.500" /><circle class="touching dot" cx="19.700" cy="7.700" r="1.500" />`,

@@ -138,7 +138,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
           }
         </select>
       </div>
-      ${toggle('edges', 'Edges')} ${toggle('vertices', 'Vertices')}
+      ${toggle('fullColor', 'Cells in full color')} ${toggle('edges', 'Edges')} ${toggle('vertices', 'Vertices')}
       ${layers.vertices ? mergeControl(layers) : nothing} ${toggle('hidden', 'What hides hidden circles')}
       ${cutControl(layers)} ${row('grid', 'Axes and grid', layers.grid, toggleGrid)}
     </fieldset>

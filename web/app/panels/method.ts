@@ -18,6 +18,7 @@ export function mountMethod(store: Store<State>, actions: PageActions): (kept: s
     button.focus()
   }
   choice.addEventListener('change', () => actions.showStep(0, choice.value))
+  byId('share-player', HTMLButtonElement).addEventListener('click', () => byId('open-share', HTMLButtonElement).click())
   byId('close-player', HTMLButtonElement).addEventListener('click', close)
   button.addEventListener('click', () => (player.hidden ? actions.showStep(0) : close()))
   store.subscribe(({ step }) => {

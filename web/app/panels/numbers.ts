@@ -33,12 +33,15 @@ export function mountNumbers(store: Store<State>, view: View): void {
   let computed: Computed | 'computing' | undefined
   let way = 0
   let rest: ReturnType<typeof setTimeout> | undefined
-  let charts: readonly [Histogram, Histogram] | undefined
+  let charts: readonly Histogram[] | undefined
 
   const draw = () => {
     folded.render(body)
-    const place = panel.querySelector('.chart')
-    if (charts !== undefined && charts[0].place !== place) {
+    const places = [...panel.querySelectorAll('.chart')]
+    if (
+      charts !== undefined &&
+      !(charts.length === places.length && charts.every(({ place }, k) => place === places[k]))
+    ) {
       for (const chart of charts) chart.dispose()
       charts = undefined
     }
@@ -62,11 +65,11 @@ export function mountNumbers(store: Store<State>, view: View): void {
   const drawCharts = async ({ areas, areaStep, degrees }: Distribution) => {
     const { Histogram } = await import('./histogram.ts')
     if (!folded.isOpen) return
-    const [areaPlace, degreePlace] = [...panel.querySelectorAll<HTMLElement>('.chart')]
-    if (areaPlace === undefined || degreePlace === undefined) return
-    charts ??= [new Histogram(areaPlace), new Histogram(degreePlace)]
-    charts[0].show(areas, areaStep, 0)
-    charts[1].show(degrees, 1, -0.5)
+    const places = [...panel.querySelectorAll<HTMLElement>('.chart')]
+    charts ??= places.map((place) => new Histogram(place))
+    charts.at(-1)?.show(degrees, 1, -0.5)
+    // A single cell has no histogram of areas.
+    if (charts.length > 1) charts[0]?.show(areas, areaStep, 0)
   }
 
   const compute = async () => {
@@ -123,8 +126,8 @@ function distributionOf({ certificate, medianArea, areas, areaStep, degrees }: D
   const middle = short(medianArea, 3)
   return html`
     <figure>
-      <figcaption>${bounded === 1 ? `Area of the bounded cell: ${middle}` : `Areas of bounded cells: half are below ${middle}${areas.length > 1 ? `; the last bar: above ${short(largest, 3)}` : ''}`}</figcaption>
-      <div class="chart" role="img" aria-label=${`Histogram of areas up to ${short(largest, 3)}; larger ones are in the last bar`}></div>
+      <figcaption>${bounded === 0 ? 'No cell is bounded' : bounded === 1 ? `Area of the bounded cell: ${middle}` : `Areas of bounded cells: half are below ${middle}${areas.length > 1 ? `; the last bar: above ${short(largest, 3)}` : ''}`}</figcaption>
+      ${bounded < 2 ? nothing : html`<div class="chart" role="img" aria-label=${`Histogram of areas up to ${short(largest, 3)}; larger ones are in the last bar`}></div>`}
     </figure>
     <figure>
       <figcaption>Neighbors: ${mean.toFixed(2)} on average</figcaption>

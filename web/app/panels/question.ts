@@ -120,24 +120,16 @@ export class QuestionForm {
     this.#measure()
   }
 
-  /** The button that shows and hides the form. */
-  button(): TemplateResult {
-    return html`<button
-      type="button"
-      aria-expanded=${String(this.#isOpen)}
-      aria-controls="make-question"
-      title="Make a frame that asks readers something, and tells them when they have solved it"
-      @click=${() => this.#toggle()}
-    >
-      Make a question
-    </button>`
+  get isOpen(): boolean {
+    return this.#isOpen
   }
 
   body(): TemplateResult {
     return html`<div id="make-question" ?hidden=${!this.#isOpen}>${this.#isOpen ? this.#form() : nothing}</div>`
   }
 
-  #toggle(): void {
+  /** Shows or hides the form. */
+  toggle(): void {
     this.#isOpen = !this.#isOpen
     // Most questions have a condition.
     if (this.#isOpen && this.#draft.conditions.length === 0 && this.#draft.ownCheck === undefined) this.#add()

@@ -148,11 +148,6 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
         </select>
       </div>
     </fieldset>
-    ${
-      actions.columns.length === 0
-        ? nothing
-        : html`<p class="quiet">A link or a reload keeps the areas, but not the columns of the opened file.</p>`
-    }
     <p class="quiet" id="areas-said" aria-live="polite">${aboutAreas(region, areas, edited)}</p>
     <fieldset>
       <legend>Periodic box</legend>

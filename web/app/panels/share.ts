@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing } from 'lit/html.js'
+import { html, nothing, type TemplateResult } from 'lit/html.js'
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { icon } from '../../player/icon.ts'
-import { CHAIN, CODE, SEND } from '../../view/icons.ts'
+import { ASK, CARD, CHAIN, CODE, FILM, PICTURE, PRINT, SEND } from '../../view/icons.ts'
 import type { View } from '../../view/view.ts'
 import type { FileActions } from '../files/file-actions.ts'
 import { save } from '../files/saving.ts'
@@ -16,7 +16,10 @@ import { panelOf } from './panel.ts'
 import { QuestionForm } from './question.ts'
 import { toastCopied } from './toast.ts'
 
-/** The panel with links and embedding code. */
+/** Pixels of a saved picture per pixel on screen. */
+const PICTURE_SCALE = 2
+
+/** The panel of everything that can be passed on: tiles of equal size that say what one gets. */
 export function mountShare(
   actions: FileActions,
   store: Store<State>,
@@ -44,22 +47,38 @@ export function mountShare(
     isRecording = false
     draw()
   }
+  /** Opens the form for a question, and moves to its text or to the button that prints it. */
+  const ask = (isPrinted: boolean) => {
+    if (!question.isOpen) question.toggle()
+    const form = byId('make-question', HTMLElement)
+    const buttons = [...form.querySelectorAll('button')]
+    const printing = buttons.find(({ textContent }) => textContent.trim() === 'Worksheet')
+    ;(isPrinted ? printing : form.querySelector('textarea'))?.focus()
+  }
+  const toggleQuestion = () => {
+    if (question.isOpen) question.toggle()
+    else ask(false)
+  }
   const draw = () => {
     panel.render(
       () => html`
-        <p>A link or code shows what you see now, with your edits.</p>
+        <div class="tiles">
+          ${tile(CHAIN, 'Link', 'Copy link', 'Opens exactly this, with your edits', () => copy(() => actions.copyLink(), 'The link'))}
+          ${tile(PICTURE, 'Picture', 'Save a picture', 'A PNG of what you see now', () => actions.savePicture('seen', PICTURE_SCALE))}
+          ${tile(
+            FILM,
+            isRecording ? 'Recording …' : 'Video',
+            'Record a video',
+            store.get().step === undefined ? 'Four seconds of breathing circles' : 'The method from start to end',
+            record,
+            { isDisabled: isRecording },
+          )}
+          ${tile(CARD, 'Card', 'Save a card', 'A picture with a title, for posts and chats', () => actions.saveCard())}
+          ${tile(ASK, 'Question', 'Make a question', 'Readers drag until the answer is right', toggleQuestion, { isOpen: question.isOpen })}
+          ${tile(PRINT, 'Worksheet', 'Print a worksheet', 'A question on paper, with a code to scan', () => ask(true))}
+        </div>
+        <h3>In your own page</h3>
         <div class="choices">
-          <button type="button" class="primary" @click=${() => copy(() => actions.copyLink(), 'The link')}>
-            ${icon(CHAIN)}Copy link
-          </button>
-          ${
-            'share' in navigator
-              ? html`<button type="button" title="Send the link with another program" @click=${() => actions.shareLink()}>
-                  ${icon(SEND)}Send
-                </button>`
-              : nothing
-          }
-          ${question.button()}
           <button
             type="button"
             title="Copy HTML for a frame in another page"
@@ -74,18 +93,13 @@ export function mountShare(
           >
             ${icon(CODE)}Copy element
           </button>
-          <button
-            type="button"
-            ?disabled=${isRecording}
-            aria-label="Record a clip"
-            title="Record a video of a few seconds: of the method if it is played, or else of circles that breathe"
-            @click=${record}
-          >
-            ${isRecording ? 'Recording …' : 'Clip'}
-          </button>
-          <button type="button" aria-label="Save a card" title="Save a picture in the size that other sites show beside a link" @click=${() => actions.saveCard()}>
-            Card
-          </button>
+          ${
+            'share' in navigator
+              ? html`<button type="button" title="Send the link with another program" @click=${() => actions.shareLink()}>
+                  ${icon(SEND)}Send
+                </button>`
+              : nothing
+          }
         </div>
         ${question.body()}
       `,
@@ -95,4 +109,27 @@ export function mountShare(
   const question = new QuestionForm(store, editing, view, actions, pageActions, draw)
   const panel = panelOf(byId('share', HTMLElement), 'Share', draw, { isKept: false, onopen: () => question.take() })
   draw()
+}
+
+/** A tile. Its name is read in full, and its sentence as a description. `isOpen`: whether it shows the form. */
+function tile(
+  picture: string,
+  title: string,
+  name: string,
+  what: string,
+  act: () => void,
+  { isDisabled = false, isOpen }: { readonly isDisabled?: boolean; readonly isOpen?: boolean } = {},
+): TemplateResult {
+  return html`<button
+    type="button"
+    class="tile"
+    aria-label=${name}
+    aria-description=${what}
+    aria-expanded=${isOpen === undefined ? nothing : String(isOpen)}
+    aria-controls=${isOpen === undefined ? nothing : 'make-question'}
+    ?disabled=${isDisabled}
+    @click=${act}
+  >
+    ${icon(picture)}<b>${title}</b><small>${what}</small>
+  </button>`
 }

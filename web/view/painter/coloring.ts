@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import type { Change, Diagram, DiagramSnapshot } from '../../lib/index.ts'
-import { MAP_COLORS } from '../style.ts'
+import { ENOUGH_COLORS, MAP_COLORS } from '../style.ts'
 import { type Identified, idOf } from './cell-boxes.ts'
 
 /**
- * Colors cells with six colors so that neighbors differ. A circle keeps its color through edits, by which it is known;
- * neighbors may share one then.
+ * Colors cells so that neighbors differ: eight circles or fewer with a color each, more with six colors. A circle keeps
+ * its color through edits, by which it is known; neighbors may share one then.
  * The adjacency graph of cells is planar, and so is each of its subgraphs; each has a cell with at most five neighbors.
  * If such cells are removed one by one and colored in reverse order, a color is free for each.
  */
@@ -52,7 +52,7 @@ export class Coloring {
     for (const id of inserted) {
       if (id >= this.#colors.length) this.#grow(id)
       if (this.#colors[id] !== UNCOLORED) continue
-      this.#colors[id] = freeColor(this.#takenBeside(diagram, diagram.indexOf(id)), id) ?? id % MAP_COLORS
+      this.#colors[id] = freeColor(this.#takenBeside(diagram, diagram.indexOf(id)), id) ?? id % ENOUGH_COLORS
     }
   }
 
@@ -75,9 +75,9 @@ export class Coloring {
 const UNCOLORED = 255
 
 /** The first free color from `from` on, so that all colors are used about equally often. */
-function freeColor(taken: number, from: number): number | undefined {
-  for (let k = 0; k < MAP_COLORS; k++) {
-    const color = (from + k) % MAP_COLORS
+function freeColor(taken: number, from: number, colors = ENOUGH_COLORS): number | undefined {
+  for (let k = 0; k < colors; k++) {
+    const color = (from + k) % colors
     if ((taken & (1 << color)) === 0) return color
   }
   return undefined
@@ -85,13 +85,14 @@ function freeColor(taken: number, from: number): number | undefined {
 
 function colored(diagram: Identified): Uint8Array {
   const count = diagram.circles.length / 3
+  const used = count <= MAP_COLORS ? MAP_COLORS : ENOUGH_COLORS
   const order = smallestLast(diagram)
   const colors = new Uint8Array(count).fill(UNCOLORED)
   for (let k = count - 1; k >= 0; k--) {
     const i = at(order, k)
     let taken = 0
     for (const j of diagram.neighbors(i)) if (colors[j] !== UNCOLORED) taken |= 1 << (colors[j] as number)
-    colors[i] = freeColor(taken, i) as number
+    colors[i] = freeColor(taken, i, used) as number
   }
   const ids = diagram.numbers?.circles
   if (ids === undefined) return colors

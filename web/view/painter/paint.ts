@@ -58,6 +58,8 @@ export function paint(painting: PaintContext): void {
     style.paper,
     VEIL,
   )
+  // A mosaic has no lines.
+  if (painting.layers.fullColor && !painting.layers.edges) return
   const line = pathOf(drawing, (path) => addBorder(path, frame, border))
   drawing.stroke(line, style.region, BORDER * pixelRatio)
 }
