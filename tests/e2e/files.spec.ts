@@ -320,12 +320,15 @@ test('saved drawings are what is seen: its colors, its layers and its part of th
   expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([4961, 3508])
 })
 
-test('columns of other names are known, or asked for with a preview; names are seen on hover and when selected', async ({
+test('columns of other names are guessed, and asked for with a preview; names are seen on hover and when selected', async ({
   app,
 }) => {
   const { page } = app
   await openPanel(app)
   await choose(app, 'german.csv', 'Ort;X-Koordinate;Y-Koordinate;Radius\nBonn;0,5;0;1\nUlm;6;0;1,5\nKiel;0;8;1\n')
+  const dialog = page.getByRole('dialog', { name: 'Which columns are the circles?' })
+  await expect(dialog).toContainText('No circle is hidden.')
+  await page.keyboard.press('Enter')
   await expect(app.status).toHaveText(/^3 circles/)
   await soon(() => app.circles()).toEqual(Float64Array.of(0.5, 0, 1, 6, 0, 1.5, 0, 8, 1))
   const circles = Float64Array.of(0.5, 0, 1, 6, 0, 1.5, 0, 8, 1)
@@ -344,9 +347,8 @@ test('columns of other names are known, or asked for with a preview; names are s
   await page.mouse.move(at.x + 1, at.y)
   await expect(page.locator('#name-tag')).toHaveText('Ulm')
 
-  const dialog = page.getByRole('dialog', { name: 'Which columns are the circles?' })
   await choose(app, 'odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n15,1,2,3\n')
-  await expect(dialog.getByRole('columnheader')).toHaveText(['a', 'b', 'c', 'd'])
+  await expect(dialog.getByRole('columnheader')).toHaveText(['ax', 'by', 'cr', 'd'])
   await expect(dialog.getByRole('cell')).toHaveCount(12)
   await dialog.getByLabel('x', { exact: true }).selectOption('d')
   await dialog.getByLabel('y', { exact: true }).selectOption('d')

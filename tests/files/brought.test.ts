@@ -3,7 +3,7 @@
 import { spawnSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { guessedColumns, type Table, unknownTable } from '../../web/app/files/columns.ts'
+import { guessedColumns, SAME, type Table, unknownTable } from '../../web/app/files/columns.ts'
 import { columnsOf } from '../../web/editing/attributes.ts'
 import { loadFiles, type ReadCirclesOptions } from '../../web/lib/files.ts'
 import { loadMetrics } from '../../web/lib/metrics.ts'
@@ -85,7 +85,7 @@ describe('files that people bring', () => {
       properties: { r: 1200 },
     })
     const table = unknownTable(textOf('filialen.csv')) as Table
-    expect(guessedColumns(table)).toEqual({ x: 2, y: 1, isDiameter: false, isSure: false })
+    expect(guessedColumns(table)).toEqual({ x: 2, y: 1, r: SAME, kind: 'radius', factor: 1 })
   })
 
   it('heights-and-ids.geojson: ids, heights, digits, nested values and the coordinate system stay', () => {

@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest'
 import { degreesIn } from '../../web/app/earth/degrees.ts'
 import { mapped } from '../../web/app/earth/map-projection.ts'
-import { guessedColumns, knownColumns } from '../../web/app/files/columns.ts'
+import { guessedColumns, knownColumns, SAME, type Table, unknownTable } from '../../web/app/files/columns.ts'
 
 const PLACES = Float64Array.of(8.68, 50.11, 5, 13.4, 52.52, 10)
 const degreesOf = (x: string, y: string, radius?: string, circles = PLACES) =>
@@ -21,7 +21,7 @@ describe('columns in degrees', () => {
     ['lon_wgs84', 'lat_wgs84'],
   ])('are %s and %s', (x, y) => {
     expect(degreesOf(x, y)).toEqual({ file: 'places.csv', unit: 'km' })
-    expect(guessedColumns({ heading: ['name', y, x] })).toMatchObject({ x: 2, y: 1 })
+    expect(guessedColumns(unknownTable(`name,${y},${x}\nA,50,8\n`) as Table)).toMatchObject({ x: 2, y: 1, r: SAME })
   })
 
   it.each([
@@ -42,6 +42,7 @@ describe('columns in degrees', () => {
     ['Radius (m)', 'm'],
     ['radius in meters', 'm'],
     ['r [km]', 'km'],
+    ['radius (cm)', 'm'],
     ['Radius Kilometer', 'km'],
   ])('have the unit of %s', (radius, unit) => {
     expect(degreesOf('lon', 'lat', radius)?.unit).toBe(unit)

@@ -5,6 +5,7 @@ import { columnsOf, namedAs } from '../../web/editing/attributes.ts'
 import { isColor, isIdentity, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
 import { axesOf, gridSpacing } from '../../web/view/axes.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import { LABEL_SIZE, type Label, type Names, placed } from '../../web/view/labels.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
@@ -97,21 +98,23 @@ describe('a circle', () => {
 
 describe('labels', () => {
   const random = seededRandom(45)
-  const circles = new Map(
-    Array.from({ length: 600 }, (_, id) => [
-      id,
-      { x: 40 * random() - 20, y: 30 * random() - 15, r: random() ** 4 * 3 },
-    ]),
+  const COUNT = 600
+  const circles = Float64Array.from({ length: 3 * COUNT }, (_, k) =>
+    k % 3 === 0 ? 40 * random() - 20 : k % 3 === 1 ? 30 * random() - 15 : random() ** 4 * 3,
   )
-  const list = [...circles.keys()]
-    .map((id) => ({ id, text: id % 3 === 0 ? '漢字' : 'n'.repeat(1 + (id % 50)) }))
-    .sort((one, other) => (circles.get(other.id)?.r as number) - (circles.get(one.id)?.r as number))
-  const names: Names = { list, circleOf: (id) => circles.get(id) }
+  const table = new CircleTable(circles)
+  const list = Array.from({ length: COUNT }, (_, id) => ({
+    id,
+    text: id % 3 === 0 ? `漢字${id}` : `${'n'.repeat(1 + (id % 12))}${id}`,
+  })).sort((one, other) => (table.get(other.id)?.r as number) - (table.get(one.id)?.r as number))
+  const names: Names = { list, circles: table, domain: {} }
+  const half = (text: string) => (LABEL_SIZE * [...text].reduce((sum, c) => sum + (/[漢字]/.test(c) ? 1 : 0.6), 0)) / 2
+  const named = (one: object, frame = FRAME, ...rest: number[]) =>
+    placed({ list: [{ id: 0, text: 'abc' }], circles: table, domain: {}, ...one }, frame, ...rest)
 
   it('overlap nowhere, and the largest circles have theirs', () => {
-    const labels = placed(names, FRAME)
-    expect(labels.length).toBeGreaterThan(40)
-    const half = (text: string) => (LABEL_SIZE * text.length * (/漢/.test(text) ? 1 : 0.6)) / 2
+    const labels = placed(names, { ...FRAME, width: 800, height: 600 })
+    expect(labels.length).toBeGreaterThan(20)
     labels.forEach((one, k) => {
       for (const other of labels.slice(0, k)) {
         const isApart =
@@ -119,12 +122,77 @@ describe('labels', () => {
         expect(isApart, `${one.text} and ${other.text}`).toBe(true)
       }
     })
-    expect(Math.max(...labels.map(({ text }) => text.length))).toBeLessThanOrEqual(32)
-    const first = list.find(({ id }) => {
-      const { x, y } = circles.get(id) as { x: number; y: number }
-      return Math.abs(x) < 8 && Math.abs(y) < 6
+    const radii = labels.map(({ text }) => table.get(list.find((name) => name.text === text)?.id ?? -1)?.r as number)
+    expect(radii).toEqual([...radii].sort((one, other) => other - one))
+    expect(radii[0]).toBeGreaterThan(2)
+  })
+
+  it('are in their cells, at any scale', () => {
+    const diagram = library.compute(circles)
+    for (const scale of [10, 20, 60]) {
+      const frame = { ...FRAME, scale }
+      for (const { text, x, y } of placed(names, frame)) {
+        const id = list.find((name) => name.text === text)?.id
+        for (const [dx, dy] of [-1, 0, 1].flatMap((i) => [-1, 0, 1].map((j) => [i, j] as const))) {
+          const at = [x + dx * half(text), y + (dy * LABEL_SIZE) / 2] as const
+          expect(diagram.find((at[0] - 200) / scale, (150 - at[1]) / scale), text).toBe(id)
+        }
+      }
+    }
+  })
+
+  it('are in cells that have changed, and in cells that repeat', () => {
+    const two = () => new CircleTable(Float64Array.of(0, 0, 0, 0, -8, 0))
+    const isThere = (circles: CircleTable, domain: Names['domain'] = {}) => named({ circles, domain }).length > 0
+    const near = two()
+    expect(isThere(near)).toBe(true)
+    const around = [
+      [0, -1],
+      [0, 1],
+      [1, 0],
+      [-1, 0],
+    ].flat()
+    const inserted = Int32Array.of(2, 3, 4, 5)
+    const added = Float64Array.from({ length: 12 }, (_, k) =>
+      k % 3 === 2 ? 0 : (around[2 * Math.floor(k / 3) + (k % 3)] as number),
+    )
+    near.follow({ inserted, removed: new Int32Array(), replaced: new Int32Array(), circles: added })
+    expect(isThere(near)).toBe(false)
+    near.follow({
+      inserted: new Int32Array(),
+      removed: inserted,
+      replaced: new Int32Array(),
+      circles: new Float64Array(),
     })
-    expect(labels.some(({ text }) => text === first?.text)).toBe(true)
+    expect(isThere(near)).toBe(true)
+    expect(isThere(two(), { lattice: { a: [20, 0], b: [0, 20] } })).toBe(true)
+    expect(isThere(two(), { lattice: { a: [1, 0], b: [0, 20] } })).toBe(false)
+  })
+
+  it('end where cells end, and where the picture is painted', () => {
+    const circles = new CircleTable(Float64Array.of(0, 0, 0.1))
+    expect(named({ circles }, FRAME, 3)).toHaveLength(1)
+    expect(named({ circles }, FRAME, 0.5)).toEqual([])
+    const at = { minX: -3, minY: -3, maxX: 3, maxY: 3 }
+    expect(named({ circles, within: at })).toHaveLength(1)
+    // Below, there is no picture yet.
+    expect(named({ circles, within: { ...at, minY: -0.2 } })[0]?.y).toBeLessThan(150)
+    expect(named({ circles, within: { ...at, minX: 1 } })).toEqual([])
+  })
+
+  it('are never hundreds, and fewer in a small frame', () => {
+    const side = 100
+    const grid = Float64Array.from({ length: 3 * side * side }, (_, k) => {
+      const i = Math.floor(k / 3)
+      return [5 * (i % side), 5 * Math.floor(i / side), 1.6][k % 3] as number
+    })
+    const list = Array.from({ length: side * side }, (_, id) => ({ id, text: String(id) }))
+    const countIn = (width: number, height: number) =>
+      placed({ list, circles: new CircleTable(grid), domain: {} }, { x: 250, y: 250, scale: 10, width, height }).filter(
+        ({ x, y }) => x > 0 && y > 0 && x < width && y < height,
+      ).length
+    expect(countIn(2000, 1500)).toBe(100)
+    expect(countIn(360, 300)).toBe(22)
   })
 
   it('stay where they are while the frame moves', () => {
@@ -135,11 +203,12 @@ describe('labels', () => {
     expect(moved).toEqual(known)
   })
 
-  it('are inside of large discs, and beside small ones', () => {
-    const at = (r: number) => placed({ list: [{ id: 0, text: 'abc' }], circleOf: () => ({ x: 0, y: 0, r }) }, FRAME)
+  it('are on large discs, and beside points, also if radii are weights', () => {
+    const at = (r: number, domain = {}) => named({ circles: new CircleTable(Float64Array.of(0, 0, r)), domain })
     expect(at(2)).toEqual([{ text: 'abc', x: 200, y: 150 }])
     expect(at(0)[0]?.y).toBeGreaterThan(150)
-    expect(placed({ list: [{ id: 0, text: 'abc' }], circleOf: () => undefined }, FRAME)).toEqual([])
+    expect(at(2, { areSites: true })).toEqual(at(0))
+    expect(named({ circles: new CircleTable(new Float64Array()) })).toEqual([])
   })
 })
 

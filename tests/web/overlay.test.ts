@@ -3,6 +3,7 @@
 import { describe, expect, it } from 'vitest'
 import type { PathSink } from '../../web/lib/index.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { drawOverlay, isNothingAbove, NOTHING_STANDS_OUT } from '../../web/view/overlay.ts'
 import { commandsOf } from '../../web/view/painter/commands.ts'
@@ -15,7 +16,7 @@ type Above = Parameters<typeof drawOverlay>[4]
 /** The colors of a style are the names of its properties. */
 const STYLE = new Proxy({}, { get: (_, name) => name }) as Style
 const FRAME = { x: 0, y: 0, scale: 10, width: 400, height: 300 }
-const NO_NAMES = { list: [], circleOf: () => undefined }
+const NO_NAMES = { list: [], circles: new CircleTable(new Float64Array()), domain: {} }
 const EMPTY: Above = {
   ...NOTHING_STANDS_OUT,
   above: [],
@@ -184,7 +185,11 @@ const THINGS: Record<string, readonly [Partial<Above>, Readonly<Record<string, B
   'the ends of a path that is not found': [{ layers: withLayers({ path }) }, { path: [143, 93, 257, 207] }],
   'names of circles': [
     {
-      names: { list: [{ id: 3, text: 'Hamburg' }], circleOf: () => ({ x: 4, y: -3, r: 1 }) },
+      names: {
+        ...NO_NAMES,
+        list: [{ id: 0, text: 'Hamburg' }],
+        circles: new CircleTable(Float64Array.of(4, -3, 1)),
+      },
       layers: withLayers({ labels: true }),
     },
     { edge: NOWHERE },

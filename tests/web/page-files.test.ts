@@ -9,7 +9,7 @@ import { choose, control, element, send, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
 import { ThreadHere } from './page-threads.ts'
 import { box } from './shapes.ts'
-import { FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
+import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
 let page: Awaited<ReturnType<typeof wholePage>>
 let out: ReturnType<typeof outputs>
@@ -95,9 +95,19 @@ describe('the dialog for columns', () => {
     dialog().close(value)
     await quiet()
   }
+  const told = () =>
+    soon(() => {
+      const text = textOf(dialog().querySelector('.told') as Element)
+      expect(text).not.toBe('')
+      return text
+    })
+  const chosen = (name: string) => {
+    const select = control(dialog(), name) as Element as HTMLSelectElement
+    return [...select.options].find(({ selected }) => selected)?.textContent
+  }
 
-  it.each(['x,y,r,radius\n1,2,3,4\n', 'x,lon,y,r\n1,2,3,4\n', 'x,y,n\n1,2,3\n'])(
-    'is there where the names do not say everything: %j',
+  it.each(['x,y,r,radius\n1,2,3,4\n', 'x,lon,y,r\n1,2,3,4\n', 'x,y,n\n1,2,3\n', 'Rechtswert;Hochwert;r\n1;2;3\n'])(
+    'is there where the readers do not know the columns: %j',
     async (text) => {
       await open(text, 'a.csv')
       expect(dialog().open).toBe(true)
@@ -105,9 +115,130 @@ describe('the dialog for columns', () => {
     },
   )
 
-  it('is not there where a diameter is named', async () => {
-    await open('n,y,x,diameter\n9,2,1,6\n', 'a.csv')
-    expect([dialog().open, circles()]).toEqual([false, [1, 2, 3]])
+  it('says how many circles are hidden before they are opened, for each way to get radii', async () => {
+    await open(
+      'Tree no;Species;X (m);Y (m);Dia (cm)\n1;oak;0;0;300\n2;;1;0;100\n3;fir;9;0;400\n4;fir;9;9;x\n',
+      'trees.csv',
+    )
+    expect([chosen('x'), chosen('y'), chosen('radius'), chosen('read as')]).toEqual([
+      'X (m)',
+      'Y (m)',
+      'Dia (cm)',
+      'diameter: halved',
+    ])
+    expect(control(dialog(), 'factor').value).toBe('0.01')
+    expect(await told()).toMatch(/^1 circle is hidden .* 1 row is no circle/)
+    expect(dialog().querySelector('.hidden')?.getAttribute('d')).not.toBe('')
+    expect(dialog().querySelector('.edges')?.getAttribute('d')).toContain('M')
+    await entered(dialog(), 'factor', '0.001')
+    expect(await told()).toContain('No circle is hidden')
+    await entered(dialog(), 'read as', 'radius')
+    expect(control(dialog(), 'factor').value).toBe('0.01')
+    expect(await told()).toContain('1 circle is hidden')
+    await entered(dialog(), 'read as', 'root')
+    expect(await told()).toContain('No circle is hidden')
+    await entered(dialog(), 'read as', 'diameter')
+    await close('open')
+    await soon(() => expect(problem()).toContain('trees.csv:5'))
+    page.store.get().remedy?.act()
+    await soon(() => expect(circles()).toEqual([0, 0, 1.5, 1, 0, 0.5, 9, 0, 2]))
+    const { columns } = page.editing.attributes
+    expect(columns.map(({ name }) => name)).toEqual(['Dia (cm)', 'Tree no', 'Species'])
+  })
+
+  it('gives the radius another column than the center, and one size to all circles', async () => {
+    await open('a,b,c\n0,0,1\n9,0,1\n', 'a.csv')
+    expect(chosen('radius')).toBe('c')
+    await entered(dialog(), 'y', '2')
+    expect(chosen('radius')).toBe('the same for all')
+    await entered(dialog(), 'r', '10')
+    expect(await told()).toContain('No circle is hidden')
+    await close('open')
+    await soon(() => expect(circles()).toEqual([0, 1, 10, 9, 1, 10]))
+  })
+})
+
+describe('points and polygons of one file', () => {
+  const feature = (geometry: object, properties: object = {}) => ({ type: 'Feature', properties, geometry })
+  const square = (x: number, size: number) =>
+    feature({ type: 'Polygon', coordinates: [[...box(x, x, x + size, x + size), [x, x]]] })
+  const point = (x: number) => feature({ type: 'Point', coordinates: [x, x] }, { r: 1, name: `P${x}` })
+  const text = (...features: object[]) => JSON.stringify({ type: 'FeatureCollection', features })
+  const corners = () => JSON.stringify(page.editing.domain.region).match(/\[-?\d/g)?.length
+
+  it('are circles and their region, which is saved with them', async () => {
+    await open(text(point(1), square(-5, 20), point(4)), 'both.geojson')
+    await soon(() => expect(circles()).toEqual([1, 1, 1, 4, 4, 1]))
+    expect(corners()).toBeGreaterThan(3)
+    expect(page.editing.nameOf(1)).toBe('P4')
+    await pressed(panel, 'GeoJSON')
+    const saved = await out.file()
+    expect(saved.name).toBe('both.geojson')
+    await open(saved.text, 'again.geojson')
+    await soon(() => expect(page.editing.scene?.file).toBe('again.geojson'))
+    expect([circles(), corners()]).toEqual([[1, 1, 1, 4, 4, 1], expect.any(Number)])
+    await page.actions.undo()
+    await page.actions.undo()
+    expect([circles(), page.editing.domain.region]).toEqual([[...FIVE], undefined])
+  })
+
+  it('are merged on request if they overlap, and pasted like a file', async () => {
+    send(document, 'paste', {
+      clipboardData: {
+        files: [],
+        getData: (type: string) => (type === 'text/plain' ? text(square(0, 9), square(4, 9), point(5)) : ''),
+      },
+    })
+    await soon(() => expect(toast()).toContain('overlap'))
+    expect(circles()).toEqual([...FIVE])
+    await pressed(element('toast'), 'Merge polygons')
+    await soon(() => expect(circles()).toEqual([5, 5, 1]))
+  })
+})
+
+describe('a pasted table', () => {
+  const paste = (text: string) =>
+    send(document, 'paste', {
+      clipboardData: { files: [], getData: (type: string) => (type === 'text/plain' ? text : '') },
+    })
+
+  it('keeps its names and columns, as one step of undo', async () => {
+    paste('x,y,r,Ort,n\n50,50,1,Ulm,7\n60,60,1,Bonn,8\n')
+    await soon(() => expect(page.editing.circles.count).toBe(7))
+    await soon(() => expect([5, 6].map((id) => page.editing.nameOf(id))).toEqual(['Ulm', 'Bonn']))
+    expect(page.editing.nameOf(0)).toBe('Aa')
+    expect(page.editing.attributes.columns.map(({ name }) => name)).toEqual(['name', 'n'])
+    expect(page.editing.valueOf(6, 'n')).toBe('8')
+    await page.actions.undo()
+    expect([page.editing.circles.count, page.editing.attributes.columns.length]).toEqual([5, 1])
+  })
+})
+
+describe('saved data', () => {
+  const saved = async (button: string) => {
+    await pressed(panel, button)
+    return out.file()
+  }
+
+  it('has the name of the file and its headings, also after an edit and undo', async () => {
+    await open('Longitude;Latitude;Radius;Ort\n1;2;3;Ulm\n9;2;1;Bonn\n', 'my places.v2.csv')
+    await soon(() => expect(circles()).toEqual([1, 2, 3, 9, 2, 1]))
+    await page.actions.edit([{ kind: 'remove', id: 0 }])
+    const { name, text } = await saved('CSV')
+    expect([name, text]).toEqual(['my places.v2.csv', 'Longitude,Latitude,Radius,Ort\n9,2,1,Bonn\n'])
+    expect((await saved('SVG')).name).toBe('my places.v2.svg')
+    await page.actions.undo()
+    await page.actions.undo()
+    expect((await saved('CSV')).text).toMatch(/^x,y,r,name\n/)
+  })
+
+  it('says that r has weights if areas were given', async () => {
+    await saved('CSV')
+    expect(toast()).toBe('')
+    await page.actions.setDomain({ region: [box(-9, -9, 30, 30)] })
+    await page.actions.setAreas('equal')
+    await saved('CSV')
+    await soon(() => expect(toast()).toContain('weights'))
   })
 })
 

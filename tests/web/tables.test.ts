@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of other programs, names of circles, and pictures as circles.
 import { describe, expect, it } from 'vitest'
-import { guessedColumns, nameOfColumn, type Table, unknownTable } from '../../web/app/files/columns.ts'
+import {
+  circlesOfTable,
+  guessedColumns,
+  nameOfColumn,
+  SAME,
+  type Table,
+  unknownTable,
+} from '../../web/app/files/columns.ts'
 import { randomNumbers } from '../../web/app/random-numbers.ts'
 import { attributesOf, columnsOf } from '../../web/editing/attributes.ts'
 import { loadFiles } from '../../web/lib/files.ts'
@@ -15,13 +22,16 @@ describe('a table whose columns the reader does not know', () => {
       heading: ['a', 'b'],
       hasHeading: true,
       rows: [['1,5', '2']],
+      separator: ';',
       hasNumbers: [true, true],
+      areMeasures: [true, true],
     })
     expect(table('1,2\n3,4').heading).toEqual(['column 1', 'column 2'])
     expect(table('name,u,v\n"Bonn, am ""Rhein""",1,2').rows).toEqual([['Bonn, am "Rhein"', '1', '2']])
     for (const text of ['\ufeffa|b\r\n1,5|2', 'a b\n1.5 2', '# made by hand\na\tb\n1,5\t2']) {
       expect([text, table(text).heading, table(text).rows.length]).toEqual([text, ['a', 'b'], 1])
     }
+    expect(table('a (m in x);b b, b b\n1;2').heading).toEqual(['a (m in x)', 'b b, b b'])
     for (const text of [
       '',
       'words and words',
@@ -44,28 +54,60 @@ describe('a table whose columns the reader does not know', () => {
   })
 
   it.each([
-    ['X-Koordinate;Y-Koordinate;Radius', { x: 0, y: 1, r: 2 }],
-    ['Stadt;Rechtswert;Hochwert;Durchmesser', { x: 1, y: 2, r: 3, isDiameter: true }],
-    ['longitude,latitude,radius_km,Name', { x: 0, y: 1, r: 2 }],
-    ['center_x\tcenter_y\tdbh', { x: 0, y: 1, r: 2, isDiameter: true }],
-    ['x_pos;y_pos;diameter;radius', { x: 0, y: 1, r: 3 }],
-    ['x;lon;lat;weight', { x: 0, y: 2, r: 3, isSure: false }],
-    ['a,b,c', { isSure: false }],
-  ])('tells by the names of its columns what they may be: %s', (heading, columns) => {
-    const names = heading.split(/[;\t,]/)
-    expect(guessedColumns({ heading: names })).toEqual({ isDiameter: false, isSure: true, ...columns })
+    ['X-Koordinate;Y-Koordinate;Radius', '1;2;3', { x: 0, y: 1, r: 2 }],
+    ['Stadt;Rechtswert;Hochwert;Durchmesser', 'A;1;2;3', { x: 1, y: 2, r: 3, kind: 'diameter' }],
+    ['longitude,latitude,radius_km,Name', '1,2,3,A', { x: 0, y: 1, r: 2 }],
+    ['center_x\tcenter_y\tdbh', '1\t2\t3', { x: 0, y: 1, r: 2, kind: 'diameter' }],
+    ['x_pos;y_pos;diameter;radius', '1;2;3;4', { x: 0, y: 1, r: 3 }],
+    ['x;lon;lat;weight', '1;2;3;4', { x: 0, y: 2, r: 3 }],
+    ['Ort,lon,lat', 'A,1,2', { x: 1, y: 2, r: SAME }],
+    ['lat,lon', '1,2', { x: 1, y: 0, r: SAME }],
+    ['a,b,c', '1,2,3', { x: 0, y: 1, r: 2 }],
+    ['a,b', '1,2', { x: 0, y: 1, r: SAME }],
+    // A column has one role.
+    ['a,x,radius', '1,2,3', { x: 1, y: 0, r: 2 }],
+    ['x,a', '1,2', { x: 0, y: 1, r: SAME }],
+    // Texts, ids and codes have none.
+    ['radius_km,x_pos,y_pos', 'big,1,2', { x: 1, y: 2, r: SAME }],
+    ['Tree id,a,b,c', '7,1,2,3', { x: 1, y: 2, r: 3 }],
+    ['PLZ;a;b', '12345;1;2', { x: 1, y: 2, r: SAME }],
+    ['n,a,b', '01001,1,2', { x: 1, y: 2, r: SAME }],
+    ['n,a,b,c', '1,5,6,7\n2,5,6,7\n3,4,4,4', { x: 1, y: 2, r: 3 }],
+    // Units are read.
+    ['X (m);Y (m);Dia (cm)', '1;2;3', { x: 0, y: 1, r: 2, kind: 'diameter', factor: 0.01 }],
+    ['x [mm],y [mm],r [mm]', '1,2,3', { x: 0, y: 1, r: 2 }],
+    ['x_km,y_km,radius in meters', '1,2,3', { x: 0, y: 1, r: 2, factor: 0.001 }],
+    ['Easting,Northing,DBH (cm)', '1,2,3', { x: 0, y: 1, r: 2, kind: 'diameter', factor: 0.01 }],
+    ['x,y,r (cm)', '1,2,3', { x: 0, y: 1, r: 2 }],
+    ['x (m),y (ft),r (cm)', '1,2,3', { x: 0, y: 1, r: 2 }],
+    ['lon,lat,r (km)', '1,2,3', { x: 0, y: 1, r: 2 }],
+    ['lon,lat,r (cm)', '1,2,3', { x: 0, y: 1, r: 2, factor: 0.01 }],
+    // The largest circle gets a twentieth of the extent as its radius, in kilometers if coordinates are degrees.
+    ['x,y,population', '0,0,10000\n30,40,400', { x: 0, y: 1, r: 2, kind: 'root', factor: 0.03 }],
+    ['city,lon,lat,Einwohner', 'A,0,0,10000\nB,3,4,400', { x: 1, y: 2, r: 3, kind: 'root', factor: 0.3 }],
+  ])('tells by names, units and values of its columns what they may be: %s', (heading, rows, columns) => {
+    expect(guessedColumns(table(`${heading}\n${rows}\n`))).toEqual({ kind: 'radius', factor: 1, ...columns })
   })
 
   it.each([
     ['x', 'x cx x-coord xwert x_center pos_x lon long lng longitude länge längengrad east easting rechtswert'],
     ['y', 'y cy y-coord ywert y_center pos_y lat latitude breite breitengrad north northing hochwert'],
-    ['r', 'r rad radius radien radii weight gewicht'],
-    ['diameter', 'd diam diameter durchmesser dbh bhd'],
+    ['radius', 'r rad radius radien radii weight gewicht'],
+    ['diameter', 'd dia diam diameter durchmesser dbh bhd'],
+    ['root', 'pop population people inhabitants einwohner area fläche'],
   ])('knows the words for %s', (kind, words) => {
-    const guessed = kind === 'diameter' ? { r: 0, isDiameter: true } : { [kind]: 0, isDiameter: false }
     for (const word of words.split(' ')) {
-      expect(guessedColumns({ heading: [word] }), word).toEqual({ isSure: false, ...guessed })
+      const guess = guessedColumns(table(`a;b;c;${word}\n1;2;3;4\n`))
+      const role = kind === 'x' || kind === 'y' ? guess[kind] : guess.r
+      expect([role, kind.length > 1 ? guess.kind : kind], word).toEqual([3, kind])
     }
+  })
+
+  it('has the circles of its rows, without those that are none', () => {
+    const text = 'n;a;b;c\nu;1,5;2;9\nv;;5;6\nw;4;5;-6\nz;4;5;16'
+    const columns = { x: 1, y: 2, r: 3, kind: 'root', factor: 2 } as const
+    expect([...circlesOfTable(table(text), columns)]).toEqual([1.5, 2, 6, 4, 5, 8])
+    expect([...circlesOfTable(table(text), { ...columns, r: { all: 7 } })]).toEqual([1.5, 2, 7, 4, 5, 7, 4, 5, 7])
   })
 
   it('names its columns as the reader does, to the bit', async () => {

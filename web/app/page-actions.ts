@@ -289,11 +289,14 @@ export class PageActions extends EditorActions {
     return this.open(() => this.#linked(text))
   }
 
-  /** Opens the result of a reader. */
-  openRead(read: () => Promise<Read>): Promise<HowOpened> {
+  /** Opens the result of a reader. `file` is the name of the file, for saving. */
+  openRead(read: () => Promise<Read>, file?: string): Promise<HowOpened> {
     return this.open(async () => {
       const result = await read()
-      return 'link' in result ? this.#linked(result.link) : { ...result, dataSet: '', isEdited: false }
+      if ('link' in result) return { ...(await this.#linked(result.link)), file }
+      const { region, skipped, ...circles } = result
+      const domain = region === undefined ? undefined : { region, areas: undefined }
+      return { ...circles, domain, dataSet: '', isEdited: false, file }
     })
   }
 

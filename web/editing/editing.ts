@@ -157,14 +157,19 @@ export class Editing {
    * Sets values of circles in a column, as JSON texts by id. A column of a new name is added. Resolves to `undefined` if
    * the edit was refused or had no effect.
    */
-  setValues(
-    column: string,
-    values: ReadonlyMap<number, string>,
+  setValues(column: string, values: ReadonlyMap<number, string>, gesture?: number): Promise<Edited | undefined> {
+    return this.setColumns(new Map([[column, values]]), gesture)
+  }
+
+  /** Sets values in several columns at once, like `setValues`. */
+  setColumns(
+    columns: ReadonlyMap<string, ReadonlyMap<number, string>>,
     gesture = this.beginGesture(),
   ): Promise<Edited | undefined> {
     return this.#ask(async () => {
-      if (gesture <= this.#lastFormer) return undefined
-      const attributes = withValues(this.#attributes, column, values)
+      if (gesture <= this.#lastFormer || columns.size === 0) return undefined
+      let attributes = this.#attributes
+      for (const [column, values] of columns) attributes = withValues(attributes, column, values)
       return this.#apply([], gesture, undefined, attributes)
     })
   }

@@ -12,6 +12,9 @@ export interface Degrees {
   readonly unit: 'km' | 'm'
 }
 
+/** The names of x, y and r in a file. */
+export type Headings = readonly [x: string, y: string, r: string]
+
 /** A set of circles that are opened together. */
 export interface CircleSet {
   readonly circles: Float64s
@@ -29,6 +32,10 @@ export interface CircleSet {
   readonly colors?: string | undefined
   /** Set if the centers are longitudes and latitudes. */
   readonly degrees?: Degrees | undefined
+  /** The name of the file, for saving. */
+  readonly file?: string | undefined
+  /** The file's names of x, y and r, for saving. Default: `x`, `y` and `r`. */
+  readonly headings?: Headings | undefined
 }
 
 /** The edits that undo one gesture. */

@@ -94,7 +94,8 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     scene.setLayers({ ...layers, ownColors: ownColorsOf(editing) })
     if (scene.isMethodMissing) scene.addMethod()
     if (scene.isPowerMissing) scene.addPower(await loadMetrics({ library: scene.library }))
-    const names = { list: namesOf(editing), circleOf: (id: number) => editing.circles.get(id) }
+    const drawn = { lattice: lattice ?? undefined, areSites: areas !== undefined }
+    const names = { list: namesOf(editing), circles: editing.circles, domain: drawn }
     return svgPicture(frame, scene.svg(frame, style), style, layers, names, played ?? [])
   } finally {
     scene.dispose()

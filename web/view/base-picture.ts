@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Box } from '../lib/index.ts'
 import { type Camera, type Size, toPlane } from './camera.ts'
 import { type Grid, type PaintRequest, type PixelBox, TILE } from './protocol.ts'
 import type { Painted } from './scene-client.ts'
@@ -26,8 +27,14 @@ export class BasePicture {
   #buffer: PaintedBuffer | undefined
   /** The previous buffer, shown where the current one is still empty. */
   #before: PaintedBuffer | undefined
+  #painted: Box | undefined
   #lastGrid = 0
   #lastPaintId = 0
+
+  /** The part of the plane whose picture is there; `undefined` until the circles have been painted once. */
+  get painted(): Box | undefined {
+    return this.#painted
+  }
 
   /** Whether everything requested has been painted. */
   get isWhole(): boolean {
@@ -81,6 +88,7 @@ export class BasePicture {
     if (rest.kind === 'painted' && rest.isWhole && buffer?.paintId === rest.paintId) {
       buffer.isWhole = true
       this.#before = undefined
+      this.#painted = boxOf(buffer)
     }
     // The previous buffer shows the circles before the edit.
     if (rest.kind === 'edited' && this.#before !== undefined && this.#before !== target) {
@@ -97,6 +105,7 @@ export class BasePicture {
   clear(): void {
     this.#buffer = undefined
     this.#before = undefined
+    this.#painted = undefined
   }
 
   /** Draws the painted pixels on a context in device pixels. */
@@ -137,6 +146,12 @@ export class BasePicture {
     this.#buffer = { canvas, context, grid, box: wanted, paintId: this.#lastPaintId, isWhole: false }
     return { paintId: this.#lastPaintId, grid, seen, wanted }
   }
+}
+
+function boxOf({ grid, box: { left, top, width, height } }: PaintedBuffer): Box {
+  const [minX, maxX] = [left, left + width].map((pixel) => grid.x + pixel / grid.scale) as [number, number]
+  const [minY, maxY] = [top + height, top].map((pixel) => grid.y - pixel / grid.scale) as [number, number]
+  return { minX, minY, maxX, maxY }
 }
 
 function seenOf(grid: Grid, camera: Camera, size: Size): PixelBox {

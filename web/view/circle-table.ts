@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/base/diagram-data.ts'
-import type { Box, Change, Circle, Edit, Float64s, Point } from '../lib/index.ts'
+import { at, NONE } from '../lib/base/diagram-data.ts'
+import { shortestPeriods } from '../lib/diagram/lattice.ts'
+import type { Box, Change, Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'
 import { boundingBox } from './camera.ts'
+import { CellIndex } from './cell-index.ts'
 import { shortestWith } from './domain.ts'
 import type { DomainChange } from './protocol.ts'
 
@@ -29,6 +31,9 @@ export interface Hit {
   readonly inReach?: number
 }
 
+/** The index is built again once more circles than this have changed. */
+const MOST_CHANGED = 64
+const IMAGES = [-1, 0, 1].flatMap((k) => [-1, 0, 1].map((l) => [k, l] as const))
 /** Number of circles from which the core is estimated. */
 const CORE_SAMPLE = 1000
 
@@ -42,6 +47,8 @@ export class CircleTable {
   #count: number
   #box: Box | undefined
   #core: Box | undefined
+  /** The index of cells, and the circles that have changed since it was built. */
+  #index: { readonly cells: CellIndex; readonly changed: Set<number> } | undefined
 
   /** Without `kept`, circle i of `circles` (x, y and r each) gets id i, and the array is not copied. */
   constructor(circles: Float64s, opening = 0, kept?: KeptIds) {
@@ -95,6 +102,7 @@ export class CircleTable {
   follow({ inserted, removed, replaced, circles }: CircleChange): Edit[] {
     this.#box = undefined
     this.#core = undefined
+    for (const ids of [inserted, removed, replaced]) for (const id of ids) this.#index?.changed.add(id)
     const back: Edit[] = []
     const newCircle = (k: number): Circle => ({
       x: at(circles, 3 * k),
@@ -219,6 +227,39 @@ export class CircleTable {
     if (rim >= 0) return { id: rim, part: 'rim' }
     if (disc >= 0) return { id: disc, part: 'disc' }
     return cell < 0 ? undefined : { id: cell, part: 'cell' }
+  }
+
+  /**
+   * Returns a circle that is closer to a point than circle `id`; `undefined` if the point is in the cell of that circle.
+   * `lattice` has the periods with which the circles repeat. The cell does not repeat, so `id` itself may be returned.
+   */
+  closerThan(id: number, point: Point, lattice?: Lattice | null): number | undefined {
+    const distance = this.distanceTo(id, point)
+    if (!lattice) return this.#closerTo(point, distance, id)
+    const [u, v] = shortestPeriods(lattice).vectors
+    for (const [k, l] of IMAGES) {
+      const image = { x: point.x + k * u.x + l * v.x, y: point.y + k * u.y + l * v.y }
+      const closer = this.#closerTo(image, distance, k === 0 && l === 0 ? id : undefined)
+      if (closer !== undefined) return closer
+    }
+    return undefined
+  }
+
+  /** The distance of a point to a circle, negative inside; infinite if there is no such circle. */
+  distanceTo(id: number, { x, y }: Point): number {
+    if (this.#isThere[id] !== 1) return Infinity
+    const [dx, dy] = [at(this.#numbers, 3 * id) - x, at(this.#numbers, 3 * id + 1) - y]
+    return Math.sqrt(dx * dx + dy * dy) - at(this.#numbers, 3 * id + 2)
+  }
+
+  #closerTo(point: Point, distance: number, except: number | undefined): number | undefined {
+    if (this.#index === undefined || this.#index.changed.size > MOST_CHANGED) {
+      this.#index = { cells: new CellIndex(this.#numbers, this.ids()), changed: new Set() }
+    }
+    const { cells, changed } = this.#index
+    for (const id of changed) if (id !== except && this.distanceTo(id, point) < distance) return id
+    const closer = cells.closerTo(point, distance, (id) => id === except || changed.has(id))
+    return closer === NONE ? undefined : closer
   }
 
   /** The bounding box of all circles, cached until the next edit. */

@@ -17,7 +17,7 @@ import {
 } from './table-text.ts'
 
 /** The names of columns, members and properties (`cpp/src/io/column_names.cpp`). */
-const NAMES = [
+export const USUAL_NAMES = [
   ['x', 'cx', 'lon', 'long', 'lng', 'longitude', 'easting'],
   ['y', 'cy', 'lat', 'latitude', 'northing'],
   ['r', 'rad', 'radius'],
@@ -136,7 +136,7 @@ function numbersOf(items: readonly unknown[], circleOf: (item: unknown) => reado
 
 function circleOfItem(item: unknown): readonly unknown[] | undefined {
   if (Array.isArray(item)) return item
-  return isRecord(item) ? NAMES.map((_, k) => namedValue(item, k)) : undefined
+  return isRecord(item) ? USUAL_NAMES.map((_, k) => namedValue(item, k)) : undefined
 }
 
 /** The positions of a Feature; one that is no circle if it has none. */
@@ -151,7 +151,7 @@ function pointsOfFeature(feature: unknown): readonly (readonly unknown[])[] {
 /** The member of an object for x, y or r: the first name of the list with a numeric value. */
 function namedValue(object: Readonly<Record<string, unknown>>, k: number): unknown {
   const keys = Object.keys(object)
-  const named = (NAMES[k] as readonly string[]).map((name) => keys.filter((key) => key.toLowerCase() === name))
+  const named = (USUAL_NAMES[k] as readonly string[]).map((name) => keys.filter((key) => key.toLowerCase() === name))
   // Two keys mean the same.
   if (named.some(({ length }) => length > 1)) return undefined
   return object[named.flat().find((key) => typeof object[key] === 'number') ?? '']
@@ -225,7 +225,9 @@ export function circlesOfRows(rows: readonly TextRow[], separator: Separator): T
 /** The columns of points as well-known text and of radii, below a header; `undefined` if there are none. */
 function pointColumnsOf([header, ...rows]: readonly TextRow[]): { place: number; radius: number } | undefined {
   const names = header?.fields.map(({ text }) => text.toLowerCase()) ?? []
-  const [radius, other] = names.flatMap((name, k) => ((NAMES[RADIUS] as readonly string[]).includes(name) ? [k] : []))
+  const [radius, other] = names.flatMap((name, k) =>
+    (USUAL_NAMES[RADIUS] as readonly string[]).includes(name) ? [k] : [],
+  )
   if (radius === undefined || other !== undefined) return undefined
   const placesOf = ({ fields }: TextRow) =>
     [...names.keys()].filter((k) => wktPoints(fields[k]?.text ?? '') !== undefined)
@@ -263,7 +265,7 @@ function wktPoints(text: string): { srid: string | undefined; points: readonly (
  */
 function columnsOf({ fields, line }: TextRow): readonly number[] | undefined {
   const names = fields.map(({ text }) => text.toLowerCase())
-  const found = NAMES.map((known) =>
+  const found = USUAL_NAMES.map((known) =>
     names.flatMap((name, k) => ((known as readonly string[]).includes(name) ? [k] : [])),
   )
   if (found.some((places) => places.length === 0)) return undefined

@@ -228,7 +228,7 @@ export function drawOverlay(
   }
 
   function drawNames(): void {
-    for (const label of placed(names, css)) write(label, LABEL_SIZE)
+    for (const label of placed(names, css, layers.maxDistance)) write(label, LABEL_SIZE)
   }
 
   function write({ text, x, y }: Label, size: number): void {

@@ -117,6 +117,10 @@ export class SceneClient {
     return this.#circles
   }
 
+  get domain(): DomainChange {
+    return this.#domain
+  }
+
   /** The circle at a point of the plane (`CircleTable.hitAt`). */
   hitAt(point: Point, slack: number, reach?: number): Hit | undefined {
     return this.#circles.hitAt(point, slack, reach, this.#domain)

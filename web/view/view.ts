@@ -128,7 +128,10 @@ export class View {
     this.#style = this.#readStyle()
     this.#scene = painter.add({
       painted: (painted) => {
+        const { painted: before } = this.#picture
         this.#picture.put(painted)
+        // Names wait for their cells.
+        if (this.#picture.painted !== before) this.#overlayChanged = true
         // The disc belonged to the former circles.
         if (painted.kind === 'edited') this.#touching = undefined
         this.#baseChanged = true
@@ -547,7 +550,9 @@ export class View {
   }
 
   #drawOverlay(): void {
-    const above = this.#aboveOf(this.#standingOut, this.covered())
+    const { painted } = this.#picture
+    const names = painted === undefined ? { ...this.#named, list: [] } : { ...this.#named, within: painted }
+    const above = { ...this.#aboveOf(this.#standingOut, this.covered()), names }
     const isEmpty = isNothingAbove(above)
     if (isEmpty && this.#isOverlayEmpty) return
     this.#isOverlayEmpty = isEmpty
@@ -573,7 +578,7 @@ export class View {
   }
 
   get #named(): Names {
-    return { list: this.#names, circleOf: (id) => this.circles.get(id) }
+    return { list: this.#names, circles: this.circles, domain: this.#scene.domain }
   }
 
   /** Continues with a new thread, without the possible cause of the failure. */

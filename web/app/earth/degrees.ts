@@ -4,16 +4,10 @@ import type { Degrees } from '../../editing/history.ts'
 import { at } from '../../lib/base/diagram-data.ts'
 import type { Float64s } from '../../lib/index.ts'
 import { boundingBox } from '../../view/camera.ts'
-import { type ColumnNames, isLatitude, isLongitude, normalName } from '../files/columns.ts'
+import { type ColumnNames, DEGREE, isLatitude, isLongitude, KILOMETER, unitOf } from '../files/columns.ts'
 
-/** Length of a degree of latitude in kilometers. */
-const DEGREE = 111.2
 /** Half of the way around the Earth in kilometers. */
 const FARTHEST = 20_015
-const UNITS: Readonly<Record<Degrees['unit'], RegExp>> = {
-  km: /(^|\s)(km|kilomet(er|re)s?|kilometern)$/,
-  m: /(^|\s)(m|met(er|re)s?|metern)$/,
-}
 
 /** Returns what the columns of a file say about places on the Earth; `undefined` if the circles are not in degrees. */
 export function degreesIn(circles: Float64s, names: ColumnNames | undefined, file: string): Degrees | undefined {
@@ -23,9 +17,10 @@ export function degreesIn(circles: Float64s, names: ColumnNames | undefined, fil
   return isInRange ? { file, unit: unitIn(names.radius) ?? likelyUnit(circles) } : undefined
 }
 
-/** The unit that the name of a column ends with. */
+/** The unit of radii by the name of their column. Other units than kilometers were converted to meters. */
 function unitIn(name = ''): Degrees['unit'] | undefined {
-  return (['km', 'm'] as const).find((unit) => UNITS[unit].test(normalName(name)))
+  const unit = unitOf(name)
+  return unit === undefined ? undefined : unit === KILOMETER ? 'km' : 'm'
 }
 
 /** Radii beyond the extent of all places in kilometers are meters. */

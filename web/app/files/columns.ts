@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Guesses which columns of a table are centers and radii, where the readers do not know their names.
 import { isRecord } from '../../lib/base/check.ts'
-import { isHeaderOrCircle } from '../../view/circle-text.ts'
+import { at } from '../../lib/base/diagram-data.ts'
+import type { Float64s } from '../../lib/index.ts'
+import { boundingBox } from '../../view/camera.ts'
+import { isHeaderOrCircle, USUAL_NAMES } from '../../view/circle-text.ts'
 import { filled, NumberReader, recordsOf, SEPARATORS, type Separator, type TableRecord } from '../../view/table-text.ts'
 
 /** A table as text. */
@@ -10,12 +13,26 @@ export interface Table {
   readonly heading: readonly string[]
   readonly hasHeading: boolean
   readonly rows: readonly (readonly string[])[]
+  readonly separator: Separator
   /** Whether each column has a number in any row. */
   readonly hasNumbers: readonly boolean[]
+  /** Whether each column may be coordinates or radii: numbers that are no ids. */
+  readonly areMeasures: readonly boolean[]
 }
 
+/** The ways to get radii from a column: as it is, half of a diameter, or the square root of a number or an area. */
+export type RadiusKind = 'radius' | 'diameter' | 'root'
+
+/** The way to get radii from a column. `factor` multiplies the radii. */
+export interface RadiusScale {
+  readonly kind: RadiusKind
+  readonly factor: number
+}
+
+export const UNCHANGED: RadiusScale = { kind: 'radius', factor: 1 }
+
 /** The indices of columns. All circles may have the same radius. */
-export interface Columns {
+export interface Columns extends RadiusScale {
   readonly x: number
   readonly y: number
   readonly r: number | { readonly all: number }
@@ -31,12 +48,37 @@ export interface ColumnNames {
 
 const LONGITUDE = /^((decimal|geo) ?)?(lon|long|lng|longitude|länge|längengrad)( (deg|degrees|dd|wgs ?84))?$/
 const LATITUDE = /^((decimal|geo) ?)?(lat|latitude|breite|breitengrad)( (deg|degrees|dd|wgs ?84))?$/
-const NAMES: Readonly<Record<'x' | 'y' | 'r' | 'd', RegExp>> = {
+/** Names of columns in lower case, without their units. */
+const NAMES: Readonly<Record<'x' | 'y' | RadiusKind | 'id', RegExp>> = {
   x: /^(x|cx|x ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?x|east|easting|rechtswert)$/,
   y: /^(y|cy|y ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?y|north|northing|hochwert)$/,
-  r: /^(r|rad|radi(us|en|i)?|radius .*|r (km|m)|weight|gewicht)$/,
-  d: /^(d|diam|diameter|durchmesser|dbh|bhd)$/,
+  radius: /^(r|rad|radi(us|en|i)?|radius .*|weight|gewicht)$/,
+  diameter: /^(d|dia|diam|diameter|durchmesser|dbh|bhd)$/,
+  root: /^(pop|population|people|inhabitants|einwohner|bevölkerung|area|fläche|basal area)$/,
+  id: /^(.+ )?(id|fid|oid|gid|uuid|code|key|index|nr|no|nummer|number|plz|zip|zipcode|postcode|year|jahr)$/,
 }
+/** Projected coordinates are in meters if their names say nothing else. */
+const PROJECTED = /^(east|easting|rechtswert|north|northing|hochwert)$/
+/** Units of lengths in headings, in millimeters. */
+const UNITS: readonly (readonly [name: RegExp, millimeters: number])[] = [
+  [/^(mm|millimet(er|re)s?)$/, 1],
+  [/^(cm|centimet(er|re)s?|zentimeter)$/, 10],
+  [/^(dm|decimet(er|re)s?|dezimeter)$/, 100],
+  [/^(m|met(er|re)s?|metern)$/, 1000],
+  [/^(km|kilomet(er|re)s?|kilometern)$/, 1e6],
+  [/^(in|inch|inches)$/, 25.4],
+  [/^(ft|foot|feet)$/, 304.8],
+  [/^(mi|miles?)$/, 1_609_344],
+]
+/** Length of a degree of latitude in kilometers. */
+export const DEGREE = 111.2
+export const METER = 1000
+export const KILOMETER = 1e6
+
+/** Number of rows that tell which character separates columns. */
+const COMPARED = 20
+/** A column with more rows than this that counts them is one of ids. */
+const COUNTED = 2
 
 /** Returns whether the name of a column is one of longitudes. */
 export function isLongitude(name: string): boolean {
@@ -49,11 +91,24 @@ export function isLatitude(name: string): boolean {
 }
 
 /** Returns a name in lower case, with blanks in place of signs. */
-export function normalName(name: string): string {
+function normalName(name: string): string {
   return name
     .toLowerCase()
-    .replace(/[_\-.()[\]°]+/g, ' ')
+    .replace(/[\s_\-.()[\]°]+/g, ' ')
     .trim()
+}
+
+/** Splits the name of a column, such as `Dia (cm)`, into a normal name and its unit in millimeters. */
+function nameAndUnit(name: string): { readonly name: string; readonly unit: number | undefined } {
+  const normal = normalName(name)
+  const [, rest = '', last = ''] = /^(.+) (\S+)$/.exec(normal) ?? []
+  const unit = UNITS.find(([names]) => names.test(last))?.[1]
+  return unit === undefined ? { name: normal, unit } : { name: rest.replace(/ in$/, ''), unit }
+}
+
+/** Returns the unit of lengths that the name of a column ends with, in millimeters. */
+export function unitOf(name: string): number | undefined {
+  return nameAndUnit(name).unit
 }
 
 /**
@@ -62,9 +117,12 @@ export function normalName(name: string): string {
  */
 export function knownColumns(text: string): ColumnNames | undefined {
   const names = /^\uFEFF?\s*\[/.test(text) ? membersIn(text) : headingIn(text)
-  const { x, y, r } = guessedColumns({ heading: names })
-  if (x === undefined || y === undefined) return undefined
-  return { x: names[x] as string, y: names[y] as string, radius: typeof r === 'number' ? names[r] : undefined }
+  const [x, y, radius] = USUAL_NAMES.map((usual) => {
+    const ranks = names.map((name) => (usual as readonly string[]).indexOf(name.toLowerCase()))
+    const first = Math.min(...ranks.filter((rank) => rank >= 0))
+    return names[ranks.indexOf(first)]
+  })
+  return x === undefined || y === undefined ? undefined : { x, y, radius }
 }
 
 function headingIn(text: string): readonly string[] {
@@ -90,19 +148,33 @@ function membersIn(json: string): readonly string[] {
 export function unknownTable(text: string): Table | undefined {
   if (/^\uFEFF?\s*[[{<]/.test(text)) return undefined
   let separator: Separator | undefined
-  let width = 0
+  let best = [false, false, 0, false]
   for (const candidate of SEPARATORS) {
-    const first = attempt(() => recordsOf(text, candidate).next().value as TableRecord | undefined)
-    if (first === undefined) continue
+    const records = attempt(() => firstOf(recordsOf(text, candidate), COMPARED))
+    const [first] = records ?? []
+    if (records === undefined || first === undefined) continue
     if (attempt(() => isHeaderOrCircle(first, candidate)) === true) return undefined
-    const count = filled(first.fields).length
-    if (count > width || (count === width && candidate === ',')) {
-      separator = candidate
-      width = count
-    }
+    const width = filled(first.fields).length
+    // Names have spaces, too.
+    const isSplit = width > 1 && candidate !== ' '
+    const isEven = records.every(({ fields }) => fields.length === first.fields.length)
+    const rank = [isSplit, isEven, width, candidate === ',']
+    const differs = rank.findIndex((value, k) => value !== best[k])
+    if (differs < 0 || Number(rank[differs]) < Number(best[differs])) continue
+    separator = candidate
+    best = rank
   }
   const records = separator && attempt(() => [...recordsOf(text, separator as Separator)])
   return separator && records && tableOf(records, separator)
+}
+
+function firstOf(records: Iterable<TableRecord>, count: number): TableRecord[] {
+  const first: TableRecord[] = []
+  for (const record of records) {
+    first.push(record)
+    if (first.length === count) break
+  }
+  return first
 }
 
 function tableOf(records: readonly TableRecord[], separator: Separator): Table | undefined {
@@ -114,12 +186,25 @@ function tableOf(records: readonly TableRecord[], separator: Separator): Table |
   const counts = first.fields.map((_, k) => rows.filter(({ fields }) => isNumber(fields[k])).length)
   if (counts.filter((count) => count > rows.length / 2).length < 2) return undefined
   const textsOf = ({ fields }: Pick<TableRecord, 'fields'>) => fields.map(({ text }) => text)
+  const heading = hasHeading ? textsOf(first) : first.fields.map((_, k) => `column ${k + 1}`)
+  const texts = rows.map(textsOf)
   return {
-    heading: hasHeading ? textsOf(first) : first.fields.map((_, k) => `column ${k + 1}`),
+    heading,
     hasHeading,
-    rows: rows.map(textsOf),
+    rows: texts,
+    separator,
     hasNumbers: counts.map((count) => count > 0),
+    areMeasures: counts.map((count, k) => count > rows.length / 2 && !areIds(heading[k] as string, texts, k)),
   }
+}
+
+/** Whether a column is called like ids, has zeros in front of numbers, or counts the rows. */
+function areIds(name: string, rows: readonly (readonly string[])[], column: number): boolean {
+  if (NAMES.id.test(normalName(name))) return true
+  if (rows.some((row) => /^0\d/.test(row[column] ?? ''))) return true
+  const first = Number(rows[0]?.[column])
+  const isCounted = rows.every((row, k) => row[column] === String(first + k))
+  return rows.length > COUNTED && (first === 0 || first === 1) && isCounted
 }
 
 /** Returns `undefined` if quotation marks are not closed. */
@@ -131,31 +216,95 @@ function attempt<Value>(read: () => Value): Value | undefined {
   }
 }
 
-/** The columns that names suggest. */
-export interface Guess extends Partial<Columns> {
-  readonly isDiameter: boolean
-  /** Whether exactly one column has such a name for each of x, y and the radius. */
-  readonly isSure: boolean
+/** The choice of one radius for all circles in place of a column. */
+export const SAME = -1
+
+/** Columns by their indices; `r` is `SAME` if no column has the radii. */
+export interface ChosenColumns extends RadiusScale {
+  readonly x: number
+  readonly y: number
+  readonly r: number
 }
 
-export function guessedColumns({ heading }: Pick<Table, 'heading'>): Guess {
-  const normal = heading.map(normalName)
-  const isKind = {
-    x: (name: string) => NAMES.x.test(name) || LONGITUDE.test(name),
-    y: (name: string) => NAMES.y.test(name) || LATITUDE.test(name),
-    r: (name: string) => NAMES.r.test(name),
-    d: (name: string) => NAMES.d.test(name),
+/**
+ * Guesses the columns of a table by their names. Without names, the first numbers are the coordinates, and the next ones
+ * the radii. Each column has at most one role.
+ */
+export function guessedColumns(table: Table): ChosenColumns {
+  const { heading, areMeasures } = table
+  const names = heading.map((name) => nameAndUnit(name).name)
+  const free = new Set([...heading.keys()].filter((k) => areMeasures[k]))
+  const take = (isWanted: (name: string) => boolean): number | undefined => {
+    const column = [...free].find((k) => isWanted(names[k] as string))
+    if (column !== undefined) free.delete(column)
+    return column
   }
-  const find = (kind: keyof typeof NAMES) => normal.flatMap((name, k) => (isKind[kind](name) ? [k] : []))
-  const [x, y, r, d] = [find('x'), find('y'), find('r'), find('d')]
-  const radius = r.length > 0 ? r : d
-  return {
-    ...(x[0] !== undefined && { x: x[0] }),
-    ...(y[0] !== undefined && { y: y[0] }),
-    ...(radius[0] !== undefined && { r: radius[0] }),
-    isDiameter: radius === d && d.length > 0,
-    isSure: [x, y, radius].every(({ length }) => length === 1),
-  }
+  const x = take((name) => NAMES.x.test(name) || LONGITUDE.test(name))
+  const y = take((name) => NAMES.y.test(name) || LATITUDE.test(name))
+  const named = KINDS.reduce<number | undefined>((r, kind) => r ?? take((name) => NAMES[kind].test(name)), undefined)
+  const any = () => true
+  const centers = { x: x ?? take(any) ?? 0, y: y ?? take(any) ?? 1 }
+  // Centers that are known by their names have no radii of an unknown name.
+  const areCentersNamed = x !== undefined && y !== undefined
+  const r = named ?? (areCentersNamed ? undefined : take(any)) ?? SAME
+  return { ...centers, r, ...scaleOf(table, { ...centers, r }) }
+}
+
+const KINDS = ['radius', 'diameter', 'root'] as const
+
+/**
+ * Guesses how radii follow from a column: by its name, unless the kind is given, and by the units of the columns. Square
+ * roots get a factor with which the largest circle has a twentieth of the extent of all centers as its radius.
+ */
+export function scaleOf(
+  table: Table,
+  { x, y, r }: Pick<ChosenColumns, 'x' | 'y' | 'r'>,
+  given?: RadiusKind,
+): RadiusScale {
+  if (r === SAME) return UNCHANGED
+  const [nameOfX, nameOfY, radius] = [x, y, r].map((k) => nameAndUnit(table.heading[k] as string)) as [
+    Named,
+    Named,
+    Named,
+  ]
+  const kind = given ?? KINDS.find((kind) => NAMES[kind].test(radius.name)) ?? 'radius'
+  const areDegrees = LONGITUDE.test(nameOfX.name) && LATITUDE.test(nameOfY.name)
+  if (kind === 'root') return { kind, factor: rootFactor(table, { x, y, r }, areDegrees ? DEGREE : 1) }
+  if (radius.unit === undefined) return { kind, factor: 1 }
+  // Radii of places in degrees are in meters or kilometers.
+  if (areDegrees) return { kind, factor: radius.unit === KILOMETER ? 1 : radius.unit / METER }
+  const [unit, other] = [nameOfX, nameOfY].map(({ name, unit }) => unit ?? (PROJECTED.test(name) ? METER : undefined))
+  return { kind, factor: unit === undefined || unit !== other ? 1 : radius.unit / unit }
+}
+type Named = ReturnType<typeof nameAndUnit>
+
+/** The factor is rounded to one digit. `length` is that of a unit of the coordinates. */
+function rootFactor(table: Table, columns: Pick<ChosenColumns, 'x' | 'y' | 'r'>, length: number): number {
+  const circles = circlesOfTable(table, { ...columns, kind: 'root', factor: 1 })
+  let largest = 0
+  for (let k = 2; k < circles.length; k += 3) largest = Math.max(largest, at(circles, k))
+  const { minX, minY, maxX, maxY } = boundingBox(circles.map((value, k) => (k % 3 === 2 ? 0 : value)))
+  const factor = (Math.hypot(maxX - minX, maxY - minY) * length) / 20 / largest
+  return Number.isFinite(factor) && factor > 0 ? Number(factor.toPrecision(1)) : 1
+}
+
+/** Returns the radius for a number of a column. */
+export function scaled(value: number, { kind, factor }: RadiusScale): number {
+  return factor * (kind === 'radius' ? value : kind === 'diameter' ? value / 2 : Math.sqrt(value))
+}
+
+/** The circles of a table. Rows that are no circles are left out; the reader reports them. */
+export function circlesOfTable({ rows, separator }: Table, columns: Columns): Float64s {
+  const reader = new NumberReader(separator)
+  const numberIn = (text = '') => reader.read({ text, isQuoted: true }) ?? Number.NaN
+  const { x, y, r } = columns
+  return Float64Array.from(
+    rows.flatMap((row) => {
+      const radius = typeof r === 'number' ? scaled(numberIn(row[r]), columns) : r.all
+      const circle = [numberIn(row[x]), numberIn(row[y]), radius]
+      return circle.every(Number.isFinite) && radius >= 0 ? circle : []
+    }),
+  )
 }
 
 /** Returns the option for a column: its name, or `#1`, `#2`, ... if it has none or shares it with another column. */

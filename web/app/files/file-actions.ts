@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import type { Attributes } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
+import { colorColumn, nameColumn } from '../../editing/identity.ts'
 import type { HowOpened } from '../../editing/opening-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
@@ -24,8 +26,8 @@ import { chooseColumns } from '../panels/choose-columns.ts'
 import { toast } from '../panels/toast.ts'
 import { unknownTable } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
-import type { NamedColumns, Photo, Read, SavedFormat } from './files-protocol.ts'
-import { type ReadsRegion, regionOfFile, regionOfText } from './region-file.ts'
+import type { HowRead, Photo, Read, SavedFormat } from './files-protocol.ts'
+import { type FoundRegion, type ReadsRegion, regionOfFile, regionOfText } from './region-file.ts'
 import { elementCode, embedCode, save } from './saving.ts'
 import { USUAL_CIRCLES } from './stipple.ts'
 import { withLink, withTable } from './svg-scene.ts'
@@ -49,6 +51,8 @@ const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string
   geojson: ['.geojson', 'application/geo+json'],
   cells: ['-cells.geojson', 'application/geo+json'],
 }
+
+const WEIGHTS = 'The file has the weights that give the cells their areas, not the radii from before.'
 
 /** The part that a picture shows: the window's contents, or all circles. */
 export type Part = 'seen' | 'all'
@@ -86,8 +90,11 @@ export class FileActions {
     const gesture = this.#actions.beginGesture()
     // Avoids reading a file that is too large.
     const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file).catch(() => undefined)
-    if (region !== undefined) return this.#clipTo(region, file.name, gesture)
-    return isPicture(file) ? this.openPhoto(file) : this.#openRead(() => this.#readFile(file))
+    if (region === undefined) {
+      return isPicture(file) ? this.openPhoto(file) : this.#openRead(() => this.#readFile(file), file.name)
+    }
+    if (region.polygons === undefined) return this.#clipTo(region.read, file.name, gesture)
+    return this.#openWithRegion(() => file.arrayBuffer(), file.name, region, file.name)
   }
 
   /** Opens a photo as circles. Undo restores another number of circles, too. */
@@ -108,6 +115,24 @@ export class FileActions {
     await this.#try(async () => save(await this.#view.toPNG(1, { camera, size }), 'photo-circles.png'))
   }
 
+  /** Opens circles, and polygons of the same file as their region. */
+  async #openWithRegion(
+    load: () => Promise<ArrayBuffer>,
+    name: string,
+    { read, polygons }: FoundRegion,
+    file?: string,
+    merges = this.mergesPolygons,
+  ): Promise<HowOpened> {
+    const how = await this.#openRead(async () => {
+      const circles = await this.#read(new Uint8Array(await load()), name, { polygons })
+      return { ...circles, region: plainRegion(read(), merges) }
+    }, file)
+    if (how === 'refused' && this.#store.get().problem.includes('`dissolve`')) {
+      this.#offerToMerge(name, () => this.#openWithRegion(load, name, { read, polygons }, file, true))
+    }
+    return how
+  }
+
   /** Opens the first of several files, and says so. */
   async openFiles([first, ...others]: readonly File[]): Promise<void> {
     if (first === undefined) return
@@ -117,17 +142,19 @@ export class FileActions {
   }
 
   /** Opens circles once they are read. If some rows are invalid, the error offers to skip them. */
-  async #openRead(read: () => Promise<Read>): Promise<HowOpened> {
+  async #openRead(read: () => Promise<Read>, file?: string): Promise<HowOpened> {
     let invalid: InvalidRows | undefined
-    const how = await this.#actions.openRead(() =>
-      read().catch((error) => {
-        if (error instanceof InvalidRows) invalid = error
-        throw error
-      }),
+    const how = await this.#actions.openRead(
+      () =>
+        read().catch((error) => {
+          if (error instanceof InvalidRows) invalid = error
+          throw error
+        }),
+      file,
     )
     if (how === 'refused' && invalid !== undefined) {
       const { skipping } = invalid
-      this.#offerToSkip(invalid, () => this.#actions.openRead(skipping))
+      this.#offerToSkip(invalid, () => this.#actions.openRead(skipping, file))
     }
     return how
   }
@@ -159,7 +186,9 @@ export class FileActions {
     try {
       const edited = await this.#actions.setDomain({ region: plainRegion(read(), merges) }, gesture)
       if (edited === undefined) {
-        if (this.#store.get().problem.includes('`dissolve`')) this.#offerToMerge(read, name)
+        if (this.#store.get().problem.includes('`dissolve`')) {
+          this.#offerToMerge(name, () => this.#clipTo(read, name, undefined, true))
+        }
         return 'refused'
       }
     } catch (error) {
@@ -171,9 +200,9 @@ export class FileActions {
     return 'opened'
   }
 
-  #offerToMerge(read: ReadsRegion, name: string): void {
+  #offerToMerge(name: string, merge: () => Promise<HowOpened>): void {
     this.#actions.complain('')
-    const act = () => void this.#clipTo(read, name, undefined, true)
+    const act = () => void merge()
     toast(`Polygons of ${name} share borders or overlap.`, { label: 'Merge polygons', act })
   }
 
@@ -183,8 +212,10 @@ export class FileActions {
     if (link !== undefined) return this.#actions.openLink(link)
     const name = 'The pasted text'
     const region = regionOfText(text)
-    if (region !== undefined) return this.#clipTo(region, 'the pasted polygons')
-    const read = () => this.#read(new TextEncoder().encode(text), name)
+    const bytes = new TextEncoder().encode(text)
+    if (region?.polygons !== undefined) return this.#openWithRegion(async () => bytes.slice().buffer, name, region)
+    if (region !== undefined) return this.#clipTo(region.read, 'the pasted polygons')
+    const read = () => this.#read(bytes, name)
     const isTable = !/^\s*[[{<]/.test(text)
     if (!isTable || this.#editing.circles.count === 0) return this.#openRead(read)
     return this.#add(read)
@@ -207,9 +238,8 @@ export class FileActions {
         await this.#actions.undo()
         await this.#actions.openRead(async () => result)
       }
-      const left = result.attributes?.columns.map(({ name }) => name) ?? []
-      const without = left.length === 0 ? '' : `, without the columns ${left.join(', ')}`
-      toast(`${count} added${without}.`, { label: 'Replace all circles instead', act: replace })
+      await this.#editing.setColumns(columnsFor(ids, result.attributes, this.#editing.attributes), gesture)
+      toast(`${count} added.`, { label: 'Replace all circles instead', act: replace })
       return 'opened'
     } catch (error) {
       this.#actions.complain((error as Error).message)
@@ -227,10 +257,11 @@ export class FileActions {
   }
 
   /** Reads a file. `columns` is the user's choice, for a table whose columns the reader does not know. */
-  async #read(bytes: Uint8Array<ArrayBuffer>, name: string, columns?: NamedColumns): Promise<Read> {
+  async #read(bytes: Uint8Array<ArrayBuffer>, name: string, how: HowRead = {}): Promise<Read> {
+    const { columns } = how
     // Copies the bytes, because the thread takes them over.
     const read = (skipsInvalid: boolean) =>
-      this.#threads.reader.call('read', bytes.slice(), name, { skipsInvalid, columns })
+      this.#threads.reader.call('read', bytes.slice(), name, { ...how, skipsInvalid })
     try {
       return await read(false)
     } catch (error) {
@@ -243,10 +274,10 @@ export class FileActions {
       const table = columns === undefined ? unknownTable(new TextDecoder().decode(bytes)) : undefined
       // With three unnamed columns, the error is about a row and not about the columns.
       if (table === undefined || (table.heading.length === 3 && !table.hasHeading)) throw error
-      const chosen = await chooseColumns(table, name)
+      const chosen = await chooseColumns(table, name, (circles) => this.#threads.reader.call('preview', circles))
       // The user has canceled the dialog and needs no message.
       if (chosen === undefined) throw new Error('')
-      return this.#read(bytes, name, chosen)
+      return this.#read(bytes, name, { columns: chosen })
     }
   }
 
@@ -254,11 +285,13 @@ export class FileActions {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
       const { domain, fileAttributes } = this.#editing
-      const text = await this.#threads.files.call('write', circles, format, domain, fileAttributes)
+      const { headings } = this.#editing.scene ?? {}
+      const text = await this.#threads.files.call('write', circles, format, domain, fileAttributes, headings)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
       if (format === 'cells')
         toast(domain.region === undefined ? cutTo(text) : 'The cells are those inside the region.')
+      else if (domain.areas !== undefined) toast(WEIGHTS)
     })
   }
 
@@ -465,8 +498,11 @@ export class FileActions {
     return this.#threads.files.call('write', circles.circles(), 'csv', undefined, fileAttributes)
   }
 
+  /** The name of saved files: that of the file that was opened, or of the family of random circles. */
   get #name(): string {
     const { dataSet } = this.#store.get()
+    const file = this.#editing.scene?.file?.replace(/(-cells)?\.[^.]*$/, '') ?? ''
+    if (file !== '') return file
     return sourceOf(dataSet) === undefined ? 'circles' : dataSet.replaceAll(':', '-')
   }
 
@@ -484,6 +520,26 @@ export class FileActions {
 
 function isPicture({ type }: File): boolean {
   return type.startsWith('image/') && type !== 'image/svg+xml'
+}
+
+/**
+ * The columns of circles that were added, by the ids of the circles. The columns of names and colors go into those of the
+ * circles that are there.
+ */
+function columnsFor(
+  ids: readonly number[],
+  added: Attributes | undefined,
+  { columns }: Attributes,
+): Map<string, Map<number, string>> {
+  const own = added?.columns ?? []
+  return new Map(
+    own.map((column) => {
+      const { name, values } = column
+      const same = [nameColumn, colorColumn].find((find) => find(own) === column)?.(columns)
+      const known = same ?? columns.find((other) => other.name.toLowerCase() === name.toLowerCase())
+      return [known?.name ?? name, new Map(ids.map((id, k) => [id, values[k] ?? '']))] as const
+    }),
+  )
 }
 
 function unreadable({ name }: File): string {

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The worker of `FilesClient`: readers, writers and generators, loaded on demand.
 import { columnsOf, NO_ATTRIBUTES } from '../../editing/attributes.ts'
+import type { Headings } from '../../editing/history.ts'
 import { COLOR } from '../../editing/identity.ts'
+import { at } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
 import type { CircleAttributes, Files, ReadCirclesOptions } from '../../lib/files.ts'
-import type { Diagram, Float64s, PeriodicDiagram } from '../../lib/index.ts'
+import type { Diagram, Float64s, Int32s, PeriodicDiagram } from '../../lib/index.ts'
 import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
+import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import { boundingBox } from '../../view/camera.ts'
+import { USUAL_NAMES } from '../../view/circle-text.ts'
 import type { Domain } from '../../view/domain.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
 import { degreesIn } from '../earth/degrees.ts'
 import { randomNumbers } from '../random-numbers.ts'
-import { type ColumnNames, knownColumns } from './columns.ts'
-import type { FilesCalls, HowRead, NamedCircles, NamedColumns, Read, SavedFormat } from './files-protocol.ts'
+import { type ColumnNames, knownColumns, type RadiusScale, scaled, UNCHANGED } from './columns.ts'
+import type { FilesCalls, HowRead, NamedCircles, NamedColumns, Preview, Read, SavedFormat } from './files-protocol.ts'
+import { previewFrame } from './preview-frame.ts'
 import { pixelsOf, stippled } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
 
@@ -22,6 +27,12 @@ const port = globalThis as unknown as {
   postMessage(message: RemoteReply, transfer?: Transferable[]): void
 }
 
+/** Diagrams of more circles are previewed without their edges. */
+const MOST_PREVIEWED = 5000
+/** Number of letters in which the radius of a first point is looked for. */
+const HEAD = 65_536
+/** The property of the first point that has its radius. */
+const GEOJSON_RADIUS = /^[^[]*"features"[\s\S]*?"properties"\s*:\s*\{[^}]*?"(r|rad|radius)"\s*:/i
 /** A fixed seed, so that a picture always gives the same circles. */
 const STIPPLED = 1
 
@@ -42,6 +53,7 @@ const calls: {
     const { width, height } = pixels
     return { circles, attributes: { ...NO_ATTRIBUTES, columns: [{ name: COLOR, values }] }, size: { width, height } }
   },
+  preview,
   write,
   link: encodeLink,
   make: async (recipe) => (await generators()).make(recipe),
@@ -64,7 +76,7 @@ port.onmessage = async ({ data: { request, name, args } }) => {
 }
 
 async function read(bytes: Uint8Array<ArrayBuffer>, name: string, how: HowRead = {}): Promise<Read> {
-  const { skipsInvalid: skipInvalid = false, columns } = how
+  const { skipsInvalid: skipInvalid = false, columns, polygons = [] } = how
   const text = new TextDecoder().decode(bytes)
   const isSvg = /^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)
   const table = isSvg ? tableOfSvg(text) : undefined
@@ -73,16 +85,35 @@ async function read(bytes: Uint8Array<ArrayBuffer>, name: string, how: HowRead =
   const tableBytes = table === undefined ? bytes : new TextEncoder().encode(table)
   const isDiagram = table === undefined && holdsDiagram(bytes)
   if (!isDiagram) {
-    const { circles, attributes, skipped } = readCircleFile(tableBytes, { name, skipInvalid, ...optionsOf(columns) })
-    const degrees = degreesIn(circles, namesOf(columns) ?? knownColumns(table ?? text), name)
+    const { circles, attributes, skipped } = readCircleFile(tableBytes, {
+      name,
+      skipInvalid: skipInvalid || polygons.length > 0,
+      ...optionsOf(columns),
+    })
+    const invalid = skipped.filter(({ index }) => !polygons.includes(index))
+    if (!skipInvalid && invalid[0] !== undefined) throw new CircleVoronoiError('badInput', invalid[0].message)
+    const names = namesOf(columns) ?? knownColumns(table ?? text)
+    const read = withColumns(withRadii(circles, columns), attributes)
+    const degrees = degreesIn(read.circles, names, name)
     return {
-      ...withColumns(withRadii(circles, columns), attributes),
+      ...(columns === undefined ? read : withGivenColumn(read, circles, columns)),
       ...(degrees && { degrees }),
-      ...(skipInvalid && { skipped: skipped.length }),
+      ...(table === undefined && headingsIn(names, columns, text)),
+      ...(skipInvalid && { skipped: invalid.length }),
     }
   }
   const { diagram, attributes } = readDiagramFile(bytes, { name })
   return withColumns(diagram.circles, attributes)
+}
+
+async function preview(circles: Float64s): Promise<Preview> {
+  const { compute } = await library()
+  const hidden = Array.from(compute(circles).hidden).filter((_, k) => k % 2 === 0)
+  if (circles.length / 3 > MOST_PREVIEWED) return { hidden, edges: '' }
+  const { shown, bounds } = previewFrame(circles)
+  const diagram = compute(shown)
+  const edges = Array.from({ length: diagram.edges.length / 4 }, (_, e) => diagram.edgePath(e, { bounds }))
+  return { hidden, edges: edges.join('') }
 }
 
 function optionsOf(columns: NamedColumns | undefined): ReadCirclesOptions {
@@ -97,12 +128,36 @@ function namesOf(columns: NamedColumns | undefined): ColumnNames | undefined {
   return { x, y, radius: typeof radius === 'string' ? radius : undefined }
 }
 
-/** Returns the circles with the radius that was chosen for all, or with half the diameters. */
+/** The headings for saving. Radii have the name of their column only if they are its numbers. */
+function headingsIn(names: ColumnNames | undefined, columns: NamedColumns | undefined, text: string) {
+  if (names === undefined) {
+    const radius = GEOJSON_RADIUS.exec(text.slice(0, HEAD))?.[1]
+    return radius === undefined || radius === 'r' ? {} : { headings: ['x', 'y', radius] satisfies Headings }
+  }
+  const isGiven = columns === undefined || isUnchanged(columns)
+  const headings = [names.x, names.y, (isGiven ? names.radius : undefined) ?? 'r'] as const
+  return headings.join() === 'x,y,r' || headings.some((name) => name.startsWith('#')) ? {} : { headings }
+}
+
+function isUnchanged({ kind, factor }: RadiusScale): boolean {
+  return kind === UNCHANGED.kind && factor === UNCHANGED.factor
+}
+
+/** Returns the circles with the radius that was chosen for all, or with the radii that follow from a column. */
 function withRadii(circles: Float64s, columns: NamedColumns | undefined): Float64s {
   if (columns === undefined) return circles
-  const { radius, isDiameter } = columns
-  const radiusFrom = (r: number) => (typeof radius !== 'string' ? radius.all : isDiameter ? r / 2 : r)
+  const { radius } = columns
+  const radiusFrom = (value: number) => (typeof radius === 'string' ? scaled(value, columns) : radius.all)
   return circles.map((value, k) => (k % 3 === 2 ? radiusFrom(value) : value))
+}
+
+/** Keeps a column whose numbers are not the radii themselves, such as diameters. */
+function withGivenColumn(read: NamedCircles, given: Float64s, columns: NamedColumns): NamedCircles {
+  const { radius } = columns
+  if (typeof radius !== 'string' || radius.startsWith('#') || isUnchanged(columns)) return read
+  const values = Array.from({ length: given.length / 3 }, (_, i) => String(given[3 * i + 2]))
+  const { attributes = NO_ATTRIBUTES } = read
+  return { ...read, attributes: { ...attributes, columns: [{ name: radius, values }, ...attributes.columns] } }
 }
 
 function withColumns(circles: Float64s, given: CircleAttributes): NamedCircles {
@@ -117,14 +172,15 @@ async function write(
   format: SavedFormat,
   { region, lattice }: Partial<Domain> = {},
   attributes?: LinkAttributes,
+  headings: Headings = ['x', 'y', 'r'],
 ): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
   const { compute, computePeriodic } = await library()
   switch (format) {
     case 'csv':
-      return writeCircles(circles, { format, attributes })
+      return writeCircles(circles, { format, attributes }).replace(/^x,y,r/, () => headings.map(csvField).join())
     case 'geojson':
-      return writeCircles(circles, { format, attributes })
+      return withRegion(withRadiusName(writeCircles(circles, { format, attributes }), headings[2]), region)
     case 'json':
       return writeDiagram(compute(circles), { format, attributes })
     case 'cells': {
@@ -157,6 +213,35 @@ function cellsInPeriods(periodic: PeriodicDiagram, attributes?: LinkAttributes):
     return `{"type":"Feature",${id === undefined ? '' : `"id":${id},`}"properties":${properties},"geometry":${geometry}}`
   })
   return `{"type":"FeatureCollection","features":[\n${features.join(',\n')}\n]}\n`
+}
+
+/** Writes a name of a column as a field of CSV. */
+function csvField(name: string): string {
+  return /[",\r\n]|^[\s#]|^$|\s$/.test(name) ? `"${name.replaceAll('"', '""')}"` : name
+}
+
+/** Gives the radii of points in GeoJSON their former name, if readers know it. */
+function withRadiusName(geojson: string, name: string): string {
+  if (!(USUAL_NAMES[2] as readonly string[]).includes(name.toLowerCase()) || name === 'r') return geojson
+  const head = /^(\{"type":"Feature",(?:"id":(?:"(?:[^"\\]|\\.)*"|[^",]*),)?"properties":\{)"r":/gm
+  return geojson.replace(head, (_, before: string) => `${before}${JSON.stringify(name)}:`)
+}
+
+/** Adds a region as the last feature. */
+async function withRegion(geojson: string, shape: RegionShape | undefined): Promise<string> {
+  if (shape === undefined) return geojson
+  const { loadRegions } = await import('../../lib/regions.ts')
+  const { points, ringOffsets, polygonOffsets } = (await loadRegions()).region(shape)
+  const list = <Item>(offsets: Int32s, k: number, item: (i: number) => Item) =>
+    Array.from({ length: at(offsets, k + 1) - at(offsets, k) }, (_, i) => item(at(offsets, k) + i))
+  const ringAt = (ring: number) => {
+    const corners = list(ringOffsets, ring, (i) => [at(points, 2 * i), at(points, 2 * i + 1)])
+    return [...corners, corners[0]]
+  }
+  const coordinates = Array.from({ length: polygonOffsets.length - 1 }, (_, k) => list(polygonOffsets, k, ringAt))
+  const feature = JSON.stringify({ type: 'Feature', properties: {}, geometry: { type: 'MultiPolygon', coordinates } })
+  const isFirst = geojson.endsWith('[\n]}\n')
+  return `${geojson.slice(0, -'\n]}\n'.length)}${isFirst ? '' : ','}\n${feature}\n]}\n`
 }
 
 /** Writes the cells inside a box around all circles as GeoJSON. */

@@ -11,22 +11,38 @@ const RINGS = /^\s*\[\s*\[\s*[[{]/
 /** Converts parsed text to a region. @throws CircleVoronoiError as `readRegion` */
 export type ReadsRegion = () => RegionShape
 
-/** The region of a file with polygons and without points, which are circles; `undefined` for other files. */
-export async function regionOfFile(file: Blob): Promise<ReadsRegion | undefined> {
+/** The region in a file. */
+export interface FoundRegion {
+  readonly read: ReadsRegion
+  /** The indices of the features that are the region, if the others are circles. */
+  readonly polygons: readonly number[] | undefined
+}
+
+/** The region of a file with polygons; `undefined` for other files. */
+export async function regionOfFile(file: Blob): Promise<FoundRegion | undefined> {
   if (file.type.startsWith('image/')) return undefined
   return mayBeRegion(await file.slice(0, HEAD).text()) ? regionOfText(await file.text()) : undefined
 }
 
 /** The region of a text, as in `regionOfFile`. JSON is parsed once. */
-export function regionOfText(text: string): ReadsRegion | undefined {
+export function regionOfText(text: string): FoundRegion | undefined {
   if (!mayBeRegion(text.slice(0, HEAD))) return undefined
-  if (!/^\s*[[{]/.test(text)) return () => readRegion(text)
+  if (!/^\s*[[{]/.test(text)) return { read: () => readRegion(text), polygons: undefined }
   try {
     const shape: unknown = JSON.parse(text)
     const types = typesIn(shape)
     const hasAny = (end: string) => types.some((type) => type.endsWith(end))
-    const isRegion = Array.isArray(shape) || (hasAny('Polygon') && !hasAny('Point'))
-    return isRegion ? () => regionOfJson(shape) : undefined
+    if (!Array.isArray(shape) && !hasAny('Polygon')) return undefined
+    const read = () => regionOfJson(shape)
+    if (!hasAny('Point')) return { read, polygons: undefined }
+    const features: unknown = isRecord(shape) ? shape.features : undefined
+    // Points elsewhere are no circles of the readers, which report them.
+    if (!Array.isArray(features)) return undefined
+    const isPolygon = (feature: unknown) => {
+      const types = typesIn(feature)
+      return types.some((type) => type.endsWith('Polygon')) && !types.some((type) => type.endsWith('Point'))
+    }
+    return { read, polygons: features.flatMap((feature, k) => (isPolygon(feature) ? [k] : [])) }
   } catch {
     // The readers of circles report the error.
     return undefined

@@ -1,73 +1,143 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, render } from 'lit/html.js'
-import { type Columns, type Guess, guessedColumns, nameOfColumn, type Table } from '../files/columns.ts'
-import type { NamedColumns } from '../files/files-protocol.ts'
+import { html, nothing, render, svg } from 'lit/html.js'
+import { at } from '../../lib/base/diagram-data.ts'
+import type { Float64s } from '../../lib/index.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
+import {
+  type ChosenColumns,
+  circlesOfTable,
+  guessedColumns,
+  nameOfColumn,
+  type RadiusKind,
+  SAME,
+  scaleOf,
+  type Table,
+} from '../files/columns.ts'
+import type { NamedColumns, Preview } from '../files/files-protocol.ts'
+import { previewFrame } from '../files/preview-frame.ts'
 import { byId } from './by-id.ts'
 
 /** Number of rows in the preview. */
-const SHOWN = 5
-/** The choice of one radius for all circles in place of a column. */
-const SAME = -1
+const SHOWN = 4
+/** More circles than this are drawn as a sample. */
+const MOST_DRAWN = 5000
+const KINDS: readonly (readonly [kind: RadiusKind, label: string])[] = [
+  ['radius', 'radius'],
+  ['diameter', 'diameter: halved'],
+  ['root', 'area or number: square root'],
+]
 
-/** Determines the columns of centers and radii, by their names or by a dialog. */
-export async function chooseColumns(table: Table, file: string): Promise<NamedColumns | undefined> {
-  const { x, y, r, isDiameter, isSure } = guessedColumns(table)
-  const isKnown = isSure && x !== undefined && y !== undefined && r !== undefined
-  return isKnown ? named(table, { x, y, r }, isDiameter) : ask(table, file)
-}
+const NONE = new Float64Array()
 
-function named(table: Table, { x, y, r }: Columns, isDiameter: boolean): NamedColumns {
-  const nameOf = (column: number) => nameOfColumn(table, column)
-  const isColumn = typeof r === 'number'
-  return { x: nameOf(x), y: nameOf(y), radius: isColumn ? nameOf(r) : r, isDiameter: isColumn && isDiameter }
-}
-
-/**
- * Returns the column of radii: by its name, or the first further one with numbers. A table whose centers are known by
- * their names has no other radii.
- */
-function likelyRadius({ hasNumbers }: Table, guess: Guess, centers: readonly number[]): number {
-  if (typeof guess.r === 'number') return guess.r
-  if (guess.x !== undefined && guess.y !== undefined) return SAME
-  const first = hasNumbers.findIndex((has, k) => has && !centers.includes(k))
-  return first < 0 ? SAME : first
-}
-
-/** Resolves to `undefined` if the dialog was canceled. */
-function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
+/** Asks which columns are centers and radii. Resolves to `undefined` if the dialog was canceled. */
+export function chooseColumns(
+  table: Table,
+  file: string,
+  preview: (circles: Float64s) => Promise<Preview>,
+): Promise<NamedColumns | undefined> {
   const dialog = byId('columns', HTMLDialogElement)
   const { heading, rows } = table
-  const guess = guessedColumns(table)
-  let [x, y] = [guess.x ?? 0, guess.y ?? 1]
-  let r = likelyRadius(table, guess, [x, y])
+  let chosen: ChosenColumns = guessedColumns(table)
   let all = 1
-  let { isDiameter } = guess
-  const chosen = () => named(table, { x, y, r: r === SAME ? { all } : r }, isDiameter)
+  /** The preview of the circles; `undefined` while it is computed. */
+  let seen: Preview | Error | undefined
+  let circles: Float64s = NONE
+
   /** The problem of the chosen columns; empty if there is none. */
   const problem = (): string => {
+    const { x, y, r } = chosen
     if (x === y) return 'x and y are the same column.'
     const wrong = [x, y, r].find((column) => column !== SAME && table.hasNumbers[column] === false)
     return wrong === undefined ? '' : `There are no numbers in column ${heading[wrong]}.`
   }
 
+  let turn = 0
+  const change = (changed: Partial<ChosenColumns>) => {
+    const before = chosen
+    chosen = { ...before, ...changed }
+    const isCenter = changed.x !== undefined || changed.y !== undefined
+    // A column that becomes a coordinate is no radius any more.
+    if (isCenter && [chosen.x, chosen.y].includes(chosen.r)) chosen = { ...chosen, r: SAME }
+    if (isCenter || changed.r !== undefined) chosen = { ...chosen, ...scaleOf(table, chosen) }
+    look()
+  }
+  const look = async () => {
+    turn += 1
+    const now = turn
+    circles = problem() === '' ? circlesOfTable(table, { ...chosen, r: chosen.r === SAME ? { all } : chosen.r }) : NONE
+    seen = undefined
+    draw()
+    if (circles.length === 0) return
+    const next = await preview(circles.slice()).catch((error: Error) => error)
+    if (now !== turn || !dialog.open) return
+    seen = next
+    draw()
+  }
+
+  /** A sentence about circles that nobody will see, and rows that are no circles. */
+  const told = (): string => {
+    if (seen instanceof Error) return seen.message
+    const count = circles.length / 3
+    const left = rows.length - count
+    const wrong = left === 1 ? '1 row is no circle' : `${wholeNumber(left)} rows are no circles`
+    const rest = left === 0 || count === 0 ? '' : ` ${wrong}.`
+    if (seen === undefined) return rest.trim()
+    const { length } = seen.hidden
+    if (length === 0) return `No circle is hidden.${rest}`
+    const hidden = length === 1 ? '1 circle is' : `${wholeNumber(length)} of ${wholeNumber(count)} circles are`
+    return `${hidden} hidden inside ${length === 1 ? 'another' : 'others'}, without a cell.${rest}`
+  }
+
   const select = (label: string, value: number, set: (column: number) => void, more: unknown = undefined) => html`
     <label>${label}
-      <select
-        aria-label=${label}
-        @change=${(event: Event) => {
-          set(Number((event.target as HTMLSelectElement).value))
-          draw()
-        }}
-      >
+      <select aria-label=${label} @change=${(event: Event) => set(Number((event.target as HTMLSelectElement).value))}>
         ${heading.map((name, k) => html`<option value=${k} .selected=${k === value}>${name}</option>`)}
         ${more}
       </select>
     </label>
   `
-  const number = (event: Event) => {
-    const input = event.target as HTMLInputElement
-    if (input.reportValidity()) all = input.valueAsNumber
-  }
+  const number = (label: string, value: number, set: (value: number) => void, least: 'min' | 'positive') => html`
+    <label>${label}
+      <input
+        type="number"
+        aria-label=${label === '×' ? 'factor' : label}
+        min=${least === 'min' ? '0' : String(Number.MIN_VALUE)}
+        step="any"
+        required
+        .value=${String(value)}
+        @input=${({ target }: Event) => {
+          const input = target as HTMLInputElement
+          if (input.checkValidity()) set(input.valueAsNumber)
+        }}
+        @change=${({ target }: Event) => (target as HTMLInputElement).reportValidity()}
+      />
+    </label>
+  `
+  const same = () =>
+    number(
+      'r',
+      all,
+      (value) => {
+        all = value
+        look()
+      },
+      'min',
+    )
+  const scale = () => html`
+    <label>read as
+      <select
+        aria-label="read as"
+        @change=${({ target }: Event) =>
+          change(scaleOf(table, chosen, (target as HTMLSelectElement).value as RadiusKind))}
+      >
+        ${KINDS.map(([kind, label]) => html`<option value=${kind} .selected=${kind === chosen.kind}>${label}</option>`)}
+      </select>
+    </label>
+    ${number('×', chosen.factor, (factor) => change({ factor }), 'positive')}
+  `
+  const roleOf = (column: number) =>
+    ['x', 'y', 'r'].filter((_, k) => [chosen.x, chosen.y, chosen.r][k] === column).join()
+
   const draw = () => {
     const wrong = problem()
     render(
@@ -76,51 +146,38 @@ function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
           <header>
             <h2 id="columns-title">Which columns are the circles?</h2>
           </header>
-          <p class="quiet">${file} has ${rows.length} rows.</p>
-          <div class="choices">
-            ${select('x', x, (column) => {
-              x = column
-            })}
-            ${select('y', y, (column) => {
-              y = column
-            })}
-            ${select(
-              'radius',
-              r,
-              (column) => {
-                r = column
-              },
-              html`<option value=${SAME} .selected=${r === SAME}>the same for all</option>`,
-            )}
-            ${
-              r === SAME
-                ? html`<label>r <input type="number" aria-label="r" min="0" step="any" required .value=${String(all)} @change=${number} /></label>`
-                : html`<label><input
-                      type="checkbox"
-                      .checked=${isDiameter}
-                      @change=${(event: Event) => {
-                        isDiameter = (event.target as HTMLInputElement).checked
-                      }}
-                    />diameters</label
-                  >`
-            }
+          <p class="quiet">${file}: ${rows.length === 1 ? '1 row' : `${wholeNumber(rows.length)} rows`}</p>
+          <div class="chosen">
+            <div class="roles">
+              ${select('x', chosen.x, (x) => change({ x }))} ${select('y', chosen.y, (y) => change({ y }))}
+              ${select('radius', chosen.r, (r) => change({ r }), html`<option value=${SAME} .selected=${chosen.r === SAME}>the same for all</option>`)}
+              ${chosen.r === SAME ? same() : scale()}
+            </div>
+            ${pictureOf(circles, seen)}
           </div>
+          <p class=${wrong === '' ? 'quiet told' : 'wrong told'} aria-live="polite">${wrong || told()}</p>
           <div class="preview">
             <table>
-              <thead><tr>${heading.map((name, k) => html`<th scope="col" class=${used(k) ? 'used' : ''}>${name}</th>`)}</tr></thead>
+              <thead>
+                <tr>
+                  ${heading.map((name, k) => {
+                    const role = roleOf(k)
+                    return html`<th scope="col" class=${role && 'used'}>${name}${role === '' ? nothing : html`<span class="role" aria-hidden="true">${role}</span>`}</th>`
+                  })}
+                </tr>
+              </thead>
               <tbody>
                 ${rows
                   .slice(0, SHOWN)
                   .map(
                     (row) =>
-                      html`<tr>${heading.map((_, k) => html`<td class=${used(k) ? 'used' : ''}>${row[k] ?? ''}</td>`)}</tr>`,
+                      html`<tr>${heading.map((_, k) => html`<td class=${roleOf(k) && 'used'}>${row[k] ?? ''}</td>`)}</tr>`,
                   )}
               </tbody>
             </table>
           </div>
-          <p class="wrong" aria-live="polite">${wrong}</p>
-          <div class="choices">
-            <button value="open" class="primary" ?disabled=${wrong !== ''}>Open</button>
+          <div class="choices end">
+            <button value="open" class="primary" autofocus ?disabled=${wrong !== ''}>Open</button>
             <button value="">Cancel</button>
           </div>
         </form>
@@ -128,14 +185,40 @@ function ask(table: Table, file: string): Promise<NamedColumns | undefined> {
       dialog,
     )
   }
-  const used = (column: number) => [x, y, r].includes(column)
 
-  draw()
+  look()
   dialog.returnValue = ''
   dialog.showModal()
   return new Promise((resolve) => {
-    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'open' ? chosen() : undefined), {
-      once: true,
-    })
+    const close = () => {
+      // The next table starts with new controls.
+      render(nothing, dialog)
+      resolve(dialog.returnValue === 'open' ? named(table, chosen, all) : undefined)
+    }
+    dialog.addEventListener('close', close, { once: true })
   })
+}
+
+function named(table: Table, { x, y, r, kind, factor }: ChosenColumns, all: number): NamedColumns {
+  const nameOf = (column: number) => nameOfColumn(table, column)
+  return { x: nameOf(x), y: nameOf(y), radius: r === SAME ? { all } : nameOf(r), kind, factor }
+}
+
+/** The circles and their cells. Hidden circles stand out. */
+function pictureOf(circles: Float64s, seen: Preview | Error | undefined) {
+  const { shown, half } = previewFrame(circles)
+  const count = circles.length / 3
+  const hidden = new Set(seen === undefined || seen instanceof Error ? [] : seen.hidden)
+  const step = Math.ceil(count / MOST_DRAWN)
+  let [discs, hiddenDiscs] = ['', '']
+  for (let i = 0; i < count; i += step) {
+    const [x, y, r] = [at(shown, 3 * i), -at(shown, 3 * i + 1), at(shown, 3 * i + 2)].map((value) => value.toFixed(2))
+    const disc = `M${x} ${y}h0M${x} ${y}m-${r} 0a${r} ${r} 0 1 0 ${2 * Number(r)} 0a${r} ${r} 0 1 0 -${2 * Number(r)} 0`
+    if (hidden.has(i)) hiddenDiscs += disc
+    else discs += disc
+  }
+  const edges = seen === undefined || seen instanceof Error ? '' : seen.edges
+  return html`<svg class="picture" viewBox="${-half} ${-half} ${2 * half} ${2 * half}" role="img" aria-label="Preview of the circles">
+    ${svg`<path class="edges" transform="scale(1 -1)" d=${edges} /><path class="discs" d=${discs} /><path class="discs hidden" d=${hiddenDiscs} />`}
+  </svg>`
 }
