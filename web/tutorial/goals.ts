@@ -3,7 +3,8 @@
 import { holds, idsOf } from '../element/check.ts'
 import type { CircleVoronoiElement } from '../element/index.ts'
 import type { Check, NumberCondition } from '../lib/check-types.ts'
-import { type CircleVoronoi, loadCircleVoronoi } from '../lib/index.ts'
+import type { CircleVoronoi } from '../lib/index.ts'
+import { loadLibrary } from '../lib/wasm/loader.ts'
 import { factsOf } from '../view/painter/facts.ts'
 import type { Facts } from '../view/protocol.ts'
 import { short } from '../view/short.ts'
@@ -82,7 +83,7 @@ export async function tellGoals(page: ParentNode): Promise<void> {
     const place = section.querySelector('.now') as HTMLElement
     const check: Check = JSON.parse(figure.getAttribute('check') as string)
     void figure.ready.then(async () => {
-      library ??= loadCircleVoronoi()
+      library ??= loadLibrary()
       const { edit } = await library
       let goals: readonly Goal[] = []
       const tell = () => {
