@@ -211,7 +211,7 @@ describe('in Node', () => {
   })
 })
 
-describe('has types', () => hasTypes(project, (compiler) => compiler === 'tsc'))
+describe('has types', () => hasTypes(project, { tsc: join(BIN, 'tsc') }))
 
 describe('the code for Node in the documentation', () => {
   const blocks = blocksRunBy('tests/pack/package.test.mjs')

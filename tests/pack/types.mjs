@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiles the declarations of the package with compilers of TypeScript 6 and 7.
+// Compiles the declarations of the package with some compilers of TypeScript.
 import assert from 'node:assert/strict'
-import { join, resolve } from 'node:path'
+import { join } from 'node:path'
 import { it } from 'node:test'
-import { BIN, ROOT } from './project.mjs'
+import { ROOT } from './project.mjs'
 
 const SETTINGS = {
   'a page with a bundler': { module: 'esnext', moduleResolution: 'bundler', lib: ['es2022', 'dom'], types: [] },
   Node: { module: 'nodenext', moduleResolution: 'nodenext', lib: ['es2022'], types: ['node'] },
 }
-const COMPILERS = ['tsc', 'tsc6']
 
-/** Tests that a project has types, with the selected compilers. */
-export function hasTypes(project, isWanted) {
+/** Tests that a project has types, with compilers by name. */
+export function hasTypes(project, compilers) {
   for (const [place, settings] of Object.entries(SETTINGS)) {
-    for (const compiler of COMPILERS.filter(isWanted)) {
-      it(`for ${place}, to ${compiler}`, () => {
+    for (const [name, compiler] of Object.entries(compilers)) {
+      it(`for ${place}, to ${name}`, () => {
         const compilerOptions = {
           ...settings,
           target: 'es2022',
@@ -28,7 +27,7 @@ export function hasTypes(project, isWanted) {
         }
         const files = settings.lib.includes('dom') ? ['types.ts', 'element-types.ts'] : ['types.ts']
         project.write('tsconfig.json', JSON.stringify({ compilerOptions, files }))
-        assert.equal(project.run(resolve(BIN, compiler), '-p', 'tsconfig.json'), '')
+        assert.equal(project.run(compiler, '-p', 'tsconfig.json'), '')
       })
     }
   }

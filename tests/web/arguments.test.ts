@@ -341,6 +341,7 @@ const LIMITED: readonly (readonly [name: string, args: string, options: string])
 ]
 
 const ROWS: readonly Row[] = [
+  row(diagram, 'exportBox', '', 'maxDistance'),
   ...LIMITED.map(([name, args, options]) => row(diagram, name, args, options)),
   ...LIMITED.map(([name, args, options]) => row(power, name, args, options.replace(/maxDistance/, '$&:anyDistance'))),
   row(diagram, 'cell', 'number', 'none'),
@@ -420,6 +421,7 @@ const ROWS: readonly Row[] = [
   row(index, 'mergeVertices', 'data length'),
   row(index, 'convexHull', 'data', 'none'),
   row(index, 'closestPair', 'data', 'none'),
+  row(index, 'hiddenWarning', 'data'),
   row(index, 'largestEmptyDiscCenteredInHull', 'diagram', 'none'),
   row(index, 'largestEmptyDiscCenteredIn', 'diagram', 'bounds region', { bounds: BOX }),
   row(index, 'largestEmptyDiscInside', 'diagram', 'bounds region', { bounds: BOX }),

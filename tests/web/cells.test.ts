@@ -527,8 +527,35 @@ describe('of equal radii, as d3-delaunay', () => {
     const each = <Value>(ask: (i: number) => Value) => points.map((_, i) => ask(i))
     expect([...diagram.cellAreas()]).toEqual(each((i) => diagram.cellArea(i)))
     expect([...diagram.cellPerimeters()]).toEqual(each((i) => diagram.cellPerimeter(i)))
-    const centroids = each((i) => diagram.cellCentroid(i) as Point)
+    const none = { x: Number.NaN, y: Number.NaN }
+    const centroids = each((i) => diagram.cellCentroid(i) ?? none)
     expect([...diagram.cellCentroids()]).toEqual(centroids.flatMap(({ x, y }) => [x, y]))
+  })
+
+  it('without limits are measured whole, and drawn in the export box', () => {
+    let [outside, unbounded] = [0, 0]
+    const { minX, minY, maxX, maxY } = diagram.exportBox()
+    const bounds = [minX, minY, maxX, maxY] as const
+    const around = [-1e4, -1e4, 1e4, 1e4] as const
+    const areas = diagram.cellAreas()
+    areas.forEach((area, i) => {
+      expect(diagram.cellPath(i)).toBe(diagram.cellPath(i, { bounds }))
+      expect(diagram.cellPolygon(i)).toEqual(diagram.cellPolygon(i, { bounds }))
+      const isBounded = diagram.cells.isBounded(i)
+      expect(area < Number.POSITIVE_INFINITY).toBe(isBounded)
+      expect(diagram.cellPerimeter(i) < Number.POSITIVE_INFINITY).toBe(isBounded)
+      expect(diagram.cellCentroid(i) !== undefined).toBe(isBounded)
+      if (!isBounded) unbounded += 1
+      else if (Math.abs(diagram.cells.reach(i)) < 1e3) {
+        expect(area).toBeCloseTo(diagram.cellArea(i, { bounds: around }), 6)
+        if (area > diagram.cellArea(i, { bounds }) + 1e-3) outside += 1
+      }
+      expect(diagram.cellArea(i, { maxDistance: 1 })).toBeLessThan(Number.POSITIVE_INFINITY)
+    })
+    expect(unbounded).toBe(diagram.hull.length)
+    expect(outside).toBeGreaterThan(0)
+    const grown = diagram.exportBox({ maxDistance: 40 })
+    expect(grown.minX).toBeLessThan(minX - 40)
   })
 
   it('find and contains give the same circle', () => {

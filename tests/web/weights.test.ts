@@ -69,8 +69,8 @@ describe('weights', () => {
   it('of negative sign are drawn as points', () => {
     const diagram = library.compute(NEGATIVE, WEIGHTS)
     expect(diagram.renderCircles({ digits: 3 })).not.toContain('-3')
-    expect(diagram.cellArea(0)).toBe(
-      library.compute(withMore(NEGATIVE, 3)).cellArea(0, { bounds: [-0.35, -0.35, 6.85, 7.35] }),
+    expect(diagram.cellPath(0)).toBe(
+      library.compute(withMore(NEGATIVE, 3)).cellPath(0, { bounds: [-0.35, -0.35, 6.85, 7.35] }),
     )
   })
 

@@ -56,6 +56,7 @@ export { type Cell, Diagram } from './diagram/diagram.ts'
 export type { DiagramFile } from './diagram/diagram-file.ts'
 export { DiagramSnapshot } from './diagram/diagram-snapshot.ts'
 export { fromJSON } from './diagram/from-json.ts'
+export { hiddenWarning } from './diagram/hidden-warning.ts'
 export type { Lattice, Shift } from './diagram/lattice.ts'
 export {
   type CircleImage,

@@ -11,6 +11,7 @@ import { receivedError, workerFailure } from './base/errors.ts'
 import { loadedOnce } from './base/loaded-once.ts'
 import type { DiagramData, Disposal } from './base/types.ts'
 import { Diagram } from './diagram/diagram.ts'
+import { withWarning } from './diagram/hidden-warning.ts'
 import { type Lattice, latticeNumbers } from './diagram/lattice.ts'
 import { PeriodicDiagram } from './diagram/periodic-diagram.ts'
 import createSphereModule from './generated/circle-voronoi-sphere.js'
@@ -280,7 +281,7 @@ class Client implements CircleVoronoiWorker {
     const { request, observer } = computationOf(circles, options)
     const other = await this.#otherMetric(options)
     const reply = await this.#ask({ ...request, ...other }, [request.circles.buffer], observer)
-    return new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram)
+    return withWarning(new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram))
   }
 
   async computePeriodic<Datum>(

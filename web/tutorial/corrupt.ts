@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A diagram that the reader corrupts, drawn with its claimed edges and vertices, and the verdict of the judge.
 import type { CircleVoronoiElement } from '../element/index.ts'
-import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
+import type { CircleVoronoi, Diagram } from '../lib/index.ts'
+import { loadLibrary } from '../lib/wasm/loader.ts'
 import { claimedLayer, flawOf, type Marked, markedLayer, markedVertex } from './claimed-diagram.ts'
 import { CORRUPTIONS } from './corruptions.ts'
 import { numberCircles } from './numbers.ts'
@@ -67,7 +68,7 @@ class CorruptFigure {
   async #begin(choice = ''): Promise<void> {
     this.#choice.value = choice
     try {
-      this.#library ??= loadCircleVoronoi()
+      this.#library ??= loadLibrary()
       const library = await this.#library
       await this.#figure.ready
       const right = library.compute(this.#figure.circles)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CircleVoronoiElement } from '../element/index.ts'
-import { loadCircleVoronoi } from '../lib/index.ts'
+import { loadLibrary } from '../lib/wasm/loader.ts'
 import { countSamples, sentenceOf } from './count-samples.ts'
 
 /** Writes below each figure how many samples its circles get, and updates the counts when its slider moves. */
 export async function sayCounts(page: ParentNode): Promise<void> {
-  const library = await loadCircleVoronoi()
+  const library = await loadLibrary()
   for (const output of page.querySelectorAll<HTMLOutputElement>('output.counts')) {
     const around = output.closest('figure') as HTMLElement
     const figure = around.querySelector('circle-voronoi') as CircleVoronoiElement

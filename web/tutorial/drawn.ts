@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the tutorial's own figures interactive: readers drag circles and points or move them by keys, and a slider or a
 // player selects the state.
-import { type Circle, type CircleVoronoi, loadCircleVoronoi, type Point } from '../lib/index.ts'
+import type { Circle, CircleVoronoi, Point } from '../lib/index.ts'
 import { encodeLink } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
+import { loadLibrary } from '../lib/wasm/loader.ts'
 import type { Regions } from '../lib/wasm/regions.ts'
 import { HEIGHT, heightOf, KINDS, type KindName, type Scene, WIDTH } from './drawn/kinds.ts'
 
@@ -33,7 +34,7 @@ const KEYS: Readonly<Record<string, readonly [number, number]>> = {
 
 export async function bringToLife(page: Document): Promise<void> {
   const figures = [...page.querySelectorAll<HTMLElement>('[data-drawn]')]
-  const library = await loadCircleVoronoi()
+  const library = await loadLibrary()
   const specs = figures.map((figure): DrawnSpec => JSON.parse(figure.dataset.drawn as string))
   for (const [k, figure] of figures.entries()) {
     const spec = specs[k] as DrawnSpec

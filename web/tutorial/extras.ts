@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extra layers of some figures: shrunken rims, and paths between two centers.
 import type { CircleVoronoiElement } from '../element/index.ts'
-import { type CircleVoronoi, type Float64s, loadCircleVoronoi } from '../lib/index.ts'
+import type { CircleVoronoi, Float64s } from '../lib/index.ts'
+import { loadLibrary } from '../lib/wasm/loader.ts'
 import type { DataLayer } from '../view/layers.ts'
 
 /** Color of sampled rims and of paths, visible on light and on dark paper. */
@@ -70,7 +71,7 @@ export async function showExtras(page: Document): Promise<void> {
   for (const around of page.querySelectorAll<HTMLElement>('[data-rims], [data-steps]')) {
     const figure = around.querySelector('circle-voronoi') as CircleVoronoiElement
     const steps = around.dataset.steps?.split(' ').map(Number)
-    const library = steps === undefined ? undefined : await loadCircleVoronoi()
+    const library = steps === undefined ? undefined : await loadLibrary()
     const show = () => {
       const data = extrasOf(figure.circles, { hasRims: around.dataset.rims !== undefined, steps }, library)
       figure.layers = { ...figure.layers, data }

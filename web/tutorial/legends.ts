@@ -2,7 +2,8 @@
 // Below a figure with cells colored by a measure: the ramp of colors, with numbers.
 import { drawLegend } from '../app/panels/legend.ts'
 import type { CircleVoronoiElement } from '../element/index.ts'
-import { type CircleVoronoi, loadCircleVoronoi } from '../lib/index.ts'
+import type { CircleVoronoi } from '../lib/index.ts'
+import { loadLibrary } from '../lib/wasm/loader.ts'
 import { isMeasure } from '../view/layers.ts'
 import { Measures } from '../view/painter/measures.ts'
 import { readStyle } from '../view/style.ts'
@@ -14,7 +15,7 @@ export function showLegends(page: Document): void {
     void figure.ready.then(async () => {
       const { cells, maxDistance } = figure.layers
       if (cells === undefined || !isMeasure(cells)) return
-      library ??= loadCircleVoronoi()
+      library ??= loadLibrary()
       // Edits do not change the meaning of the colors, in the legend as in the figure.
       const { legend } = new Measures(cells, (await library).compute(figure.circles), { maxDistance })
       const surface = figure.shadowRoot?.querySelector('.figure') as HTMLElement

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shows beside a figure the result of the paper's rules as printed, for the figure's current circles.
 import type { CircleVoronoiElement } from '../element/index.ts'
-import { type CircleVoronoi, loadCircleVoronoi } from '../lib/index.ts'
+import type { CircleVoronoi } from '../lib/index.ts'
+import { loadLibrary } from '../lib/wasm/loader.ts'
 import { lookAt, pictureOf } from './printed-picture.ts'
 import {
   type Comparison,
@@ -37,7 +38,7 @@ export function followPrinted(page: Document): void {
 }
 
 async function loadTools(): Promise<Tools> {
-  const [library, printed] = await Promise.all([loadCircleVoronoi(), loadPrintedRules()])
+  const [library, printed] = await Promise.all([loadLibrary(), loadPrintedRules()])
   return { library, printed }
 }
 

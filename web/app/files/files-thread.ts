@@ -37,7 +37,7 @@ const GEOJSON_RADIUS = /^[^[]*"features"[\s\S]*?"properties"\s*:\s*\{[^}]*?"(r|r
 const STIPPLED = 1
 
 const files = loadedOnce(async () => (await import('../../lib/files.ts')).loadFiles())
-const library = loadedOnce(async () => (await import('../../lib/wasm/loader.ts')).loadCircleVoronoi())
+const library = loadedOnce(async () => (await import('../../lib/wasm/loader.ts')).loadLibrary())
 const generators = loadedOnce(async () => (await import('../generators/generators.ts')).loadGenerators())
 
 const calls: {

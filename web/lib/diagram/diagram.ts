@@ -11,7 +11,7 @@ import {
   shown,
 } from '../base/check.ts'
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import type { Certificate, DiagramData, Float64s, Int32s, Metric, PathSink, Point, Stats } from '../base/types.ts'
+import type { Box, Certificate, DiagramData, Float64s, Int32s, Metric, PathSink, Point, Stats } from '../base/types.ts'
 import { drawBounds, drawCell, drawCircle, drawDual, drawEdge, drawHull } from '../drawing/draw.ts'
 import {
   clippedOutline,
@@ -47,7 +47,7 @@ import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
 import { AreaJudge, areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
-import { keptParts, outlineOf } from '../regions/outline.ts'
+import { keptParts, outlineOf, wholeLoop } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import { type ClippedCells, type ClippedDiagram, type MeasuredCells, Region, regionOption } from '../regions/region.ts'
 import { type DiagramFile, fileOf } from './diagram-file.ts'
@@ -83,7 +83,10 @@ export interface Cell {
  * Drawing methods take one object of options. With a `context` (a canvas, a `Path2D` or any other `PathSink`) they
  * draw; without one they return the `d` attribute of an SVG path. Curves are approximated by Bézier curves within
  * `tolerance`, by default a hundred-thousandth of the bounds. `bounds` is a box or a convex polygon in the units of the
- * input; the default is the bounding box of the circles plus a margin of a twentieth of its size.
+ * input. Without `bounds` and `region`, drawings and polygons are clipped to `exportBox`.
+ *
+ * Measures without `bounds`, `region` and `maxDistance` are those of whole cells: an unbounded cell has an infinite area
+ * and perimeter, and no centroid.
  *
  * The methods expect a certified diagram. Data structures that they need are built in linear time on first use. All
  * methods throw a `CircleVoronoiError`: `badOption` for options that make no sense, `badInput` for other arguments,
@@ -273,6 +276,15 @@ export class Diagram implements DiagramData {
     return this.#finder.findAll(coordinates)
   }
 
+  /**
+   * Returns the box to which drawings and polygons are clipped without `bounds` and `region`: the bounding box of the
+   * circles, each grown by `maxDistance`, plus a margin of a twentieth of its size.
+   */
+  exportBox(options: Pick<BoundsOptions, 'maxDistance'> = {}): Box {
+    checkDrawOptions(options, 'exportBox', ['maxDistance'])
+    return { ...this.#limitsOf('exportBox', options).bounds.box }
+  }
+
   /** Draws the part of edge `e` inside the bounds. */
   edgePath(e: number, options?: PolygonOptions & TextOptions): string
   edgePath(e: number, options: PolygonOptions & ContextOptions): void
@@ -417,8 +429,8 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Returns the outline of the part of cell `i` inside the bounds: counter-clockwise loops, none if the part is empty,
-   * several if the bounds cut the cell into pieces. A cell that only touches the bounds may have a loop without area,
+   * Returns the outline of the part of cell `i` inside the bounds, by default `exportBox`: counter-clockwise loops, none
+   * if the part is empty, several if the bounds cut the cell into pieces. A cell that only touches the bounds may have a loop without area,
    * which has no centroid and no polygon.
    */
   cellOutline(i: number, options: BoundsOptions = {}): Outline {
@@ -426,20 +438,22 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Returns the area of the part of cell `i` inside the bounds, exact up to rounding; 0 if circle `i` is hidden. Throws
-   * `notCertified` if the outline does not close or encloses more than the bounds, because arrays were changed.
+   * Returns the area of cell `i`, exact up to rounding: infinity if the cell is unbounded, 0 if circle `i` is hidden.
+   * With `bounds`, a `region` or `maxDistance`, returns the area of the part inside. Throws `notCertified` if the outline
+   * does not close or encloses more than the bounds, because arrays were changed.
    */
   cellArea(i: number, options: BoundsOptions = {}): number {
     const measured = this.#measuredIn(i, 'cellArea', options)
     if (measured !== undefined) return at(measured.clip.areas, measured.row)
-    const area = areaOf(this.#outline(i, 'cellArea', options))
-    new AreaJudge(this.#limitsOf('cellArea', options).bounds).add(area, circleOf(this.circles, i), i)
+    const limits = this.#limitsIn('cellArea', options)
+    const area = sizeOf(this.#outlineIn(i, limits), areaOf)
+    if (limits !== undefined) new AreaJudge(limits.bounds).add(area, circleOf(this.circles, i), i)
     return area
   }
 
   /**
-   * Returns the centroid of the part of cell `i` inside the bounds, exact up to rounding, or `undefined` if the part has
-   * no area.
+   * Returns the centroid of cell `i`, exact up to rounding, or `undefined` if the cell is unbounded or has no area. With
+   * `bounds`, a `region` or `maxDistance`, returns the centroid of the part inside.
    */
   cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
     const measured = this.#measuredIn(i, 'cellCentroid', options)
@@ -448,24 +462,28 @@ export class Diagram implements DiagramData {
       const x = at(clip.centroids, 2 * row)
       return Number.isNaN(x) ? undefined : { x, y: at(clip.centroids, 2 * row + 1) }
     }
-    return centroidInside(this.#outline(i, 'cellCentroid', options))
-  }
-
-  /** Returns the perimeter of the part of cell `i` inside the bounds, exact up to rounding; 0 if the part is empty. */
-  cellPerimeter(i: number, options: BoundsOptions = {}): number {
-    const measured = this.#measuredIn(i, 'cellPerimeter', options)
-    if (measured !== undefined) return at(measured.clip.perimeters, measured.row)
-    return perimeterOf(this.#outline(i, 'cellPerimeter', options))
+    return centroidInside(this.#outlineIn(i, this.#limitsIn('cellCentroid', options)))
   }
 
   /**
-   * Returns the area of each cell inside the bounds. Throws `notCertified` if an area is negative or, without a maximum
-   * distance, the areas do not sum to that of the bounds, up to rounding.
+   * Returns the perimeter of cell `i`, exact up to rounding: infinity if the cell is unbounded, 0 if circle `i` is
+   * hidden. With `bounds`, a `region` or `maxDistance`, returns the perimeter of the part inside.
+   */
+  cellPerimeter(i: number, options: BoundsOptions = {}): number {
+    const measured = this.#measuredIn(i, 'cellPerimeter', options)
+    if (measured !== undefined) return at(measured.clip.perimeters, measured.row)
+    return sizeOf(this.#outlineIn(i, this.#limitsIn('cellPerimeter', options)), perimeterOf)
+  }
+
+  /**
+   * Returns what `cellArea` returns for each cell. Throws `notCertified` if an area is negative or, inside bounds without
+   * a maximum distance, the areas do not sum to that of the bounds, up to rounding.
    */
   cellAreas(options: BoundsOptions = {}): Float64Array {
-    const areas = this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
-    if (options.region !== undefined || this.hull.length === 0) return areas
-    const judge = new AreaJudge(this.#limitsOf('cellAreas', options).bounds)
+    const areas = this.#ofEach('cellAreas', options, 'areas', (outline) => [sizeOf(outline, areaOf)])
+    const limits = options.region === undefined ? this.#limitsIn('cellAreas', options) : undefined
+    if (limits === undefined || this.hull.length === 0) return areas
+    const judge = new AreaJudge(limits.bounds)
     areas.forEach((area, i) => {
       judge.add(area, circleOf(this.circles, i), i)
     })
@@ -474,7 +492,7 @@ export class Diagram implements DiagramData {
     return areas
   }
 
-  /** Returns the centroid of each cell inside the bounds, as x and y; NaN for a cell without area. */
+  /** Returns what `cellCentroid` returns for each cell, as x and y; NaN for a cell without a centroid. */
   cellCentroids(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellCentroids', options, 'centroids', (outline) => {
       const { x, y } = centroidInside(outline) ?? { x: Number.NaN, y: Number.NaN }
@@ -482,9 +500,23 @@ export class Diagram implements DiagramData {
     })
   }
 
-  /** Returns the perimeter of each cell inside the bounds. */
+  /** Returns what `cellPerimeter` returns for each cell. */
   cellPerimeters(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellPerimeters', options, 'perimeters', (outline) => [perimeterOf(outline)])
+    return this.#ofEach('cellPerimeters', options, 'perimeters', (outline) => [sizeOf(outline, perimeterOf)])
+  }
+
+  /** Returns the limits of measures, which have no default bounds; `undefined` if there are none. */
+  #limitsIn(caller: string, options: BoundsOptions): Limits | undefined {
+    const isLimited = options.bounds !== undefined || options.maxDistance !== undefined
+    return isLimited ? this.#limitsOf(caller, options) : undefined
+  }
+
+  /** Returns the outline of a cell inside limits; `undefined` if there are none and the cell is unbounded. */
+  #outlineIn(i: number, limits: Limits | undefined): Outline | undefined {
+    const { cells } = this
+    if (limits !== undefined) return outlineOf(cells, i, limits)
+    if (!cells.exists(i)) return []
+    return cells.isBounded(i) ? [wholeLoop(cells, i)] : undefined
   }
 
   #outline(i: number, caller: string, options: BoundsOptions): Outline {
@@ -507,16 +539,17 @@ export class Diagram implements DiagramData {
     caller: string,
     options: BoundsOptions,
     measures: 'areas' | 'centroids' | 'perimeters',
-    measure: (outline: Outline) => readonly number[],
+    measure: (outline: Outline | undefined) => readonly number[],
   ): Float64Array {
     checkDrawOptions(options, caller, BOUNDS_OPTIONS)
     const region = this.#regionIn(caller, options)
     if (region !== undefined) return this.#clippedTo(region, options)[measures]
-    const limits = this.#limitsOf(caller, options)
+    const limits = this.#limitsIn(caller, options)
+    this.#checkMemory()
     const count = this.circles.length / 3
     const size = measures === 'centroids' ? 2 : 1
     const values = new Float64Array(size * count)
-    for (let i = 0; i < count; i++) values.set(measure(outlineOf(this.cells, i, limits)), size * i)
+    for (let i = 0; i < count; i++) values.set(measure(this.#outlineIn(i, limits)), size * i)
     return values
   }
 
@@ -612,9 +645,14 @@ export class Diagram implements DiagramData {
   }
 }
 
+/** Returns the area or the perimeter of an outline; infinity for that of an unbounded cell. */
+function sizeOf(outline: Outline | undefined, measure: (outline: Outline) => number): number {
+  return outline === undefined ? Number.POSITIVE_INFINITY : measure(outline)
+}
+
 /** Returns the centroid of an outline that has an area. */
-function centroidInside(outline: Outline): Point | undefined {
-  return areaOf(outline) > 0 ? centroidOf(outline) : undefined
+function centroidInside(outline: Outline | undefined): Point | undefined {
+  return outline !== undefined && areaOf(outline) > 0 ? centroidOf(outline) : undefined
 }
 
 /** Whether a polygon is a box with the four numbers of `bounds`. */

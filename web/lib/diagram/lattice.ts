@@ -2,7 +2,7 @@
 
 import { refuseInput } from '../base/check.ts'
 import { cross, dot } from '../base/point.ts'
-import type { Point } from '../base/types.ts'
+import type { Float64s, Point } from '../base/types.ts'
 
 /**
  * The two periods of a plane that repeats itself: the sides of a box whose opposite sides are glued together, each as x
@@ -28,7 +28,7 @@ export type Shift = readonly [a: number, b: number]
  *
  * @throws CircleVoronoiError `badInput`
  */
-export function latticeNumbers(lattice: Lattice, caller: string): Float64Array<ArrayBuffer> {
+export function latticeNumbers(lattice: Lattice, caller: string): Float64s {
   const { a, b }: Partial<Record<keyof Lattice, unknown>> = Object(lattice)
   const isPeriod = (period: unknown): period is Lattice['a'] =>
     (Array.isArray(period) || period instanceof Float64Array) &&

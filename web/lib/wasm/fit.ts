@@ -128,7 +128,7 @@ export interface FitInput {
   readonly maxSteps: number
   readonly relax: number
   /** ax, ay, bx, by of the periods; without them the fit has a region. */
-  readonly lattice?: Float64Array<ArrayBuffer> | undefined
+  readonly lattice?: Float64s | undefined
 }
 
 /** @throws CircleVoronoiError `badInput`, `badOption` */

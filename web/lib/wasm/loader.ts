@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { withWarning } from '../diagram/hidden-warning.ts'
 import { type CircleVoronoi, circleVoronoiOf } from './library.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
 
@@ -16,5 +17,12 @@ import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load
  */
 export async function loadCircleVoronoi(options: LoadOptions = {}): Promise<CircleVoronoi> {
   checkLoadOptions(options, 'loadCircleVoronoi')
+  const library = await loadLibrary(options)
+  const compute = (...given: Parameters<CircleVoronoi['compute']>) => withWarning(library.compute(...given))
+  return { ...library, compute }
+}
+
+/** Loads the library like `loadCircleVoronoi`, but without warnings on the console, for pages that show hidden circles. */
+export async function loadLibrary(options: LoadOptions = {}): Promise<CircleVoronoi> {
   return circleVoronoiOf(await compileCircleVoronoi(options))
 }

@@ -3,7 +3,7 @@
 import { checkOptionNames, isRecord, refuseInput, refuseOption, shown } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
-import type { Float64s } from '../base/types.ts'
+import type { Float64s, Int32s } from '../base/types.ts'
 import { type ClippedPolygons, Region } from '../regions/region.ts'
 import { checkSignal } from './fit.ts'
 
@@ -92,7 +92,7 @@ export interface TreemapOptions {
 
 /** The input of a treemap, with checked types. The core checks the values. */
 export interface TreemapInput {
-  readonly parents: Int32Array<ArrayBuffer>
+  readonly parents: Int32s
   readonly values: Float64s
   readonly metric: 'power' | 'circles'
   readonly relax: number | undefined

@@ -2,9 +2,7 @@
 
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../lib/base/scale.ts'
-import type { BoundedCurve } from '../../lib/curves/curve.ts'
 import type { Diagram } from '../../lib/index.ts'
-import { outlineArea } from '../../lib/regions/measure.ts'
 import type { CellValues, Measure } from '../layers.ts'
 import type { Legend } from '../protocol.ts'
 import { MAP_COLORS, SHADES } from '../style.ts'
@@ -156,25 +154,12 @@ export function placeAmong(knots: readonly number[], value: number): number {
 
 /** The area of a cell inside its limits: infinite if it is unbounded, 0 if it does not exist. */
 export function cellArea(diagram: Diagram, i: number, { clip, maxDistance }: CellLimits = {}): number {
-  const { cells } = diagram
-  if (!cells.exists(i)) return 0
-  if (clip !== undefined) return clip.areaOf(diagram, i, maxDistance)
-  if (maxDistance !== undefined) return diagram.cellArea(i, { maxDistance })
-  if (!cells.isBounded(i)) return Number.POSITIVE_INFINITY
-  const pieces = Array.from(cells.sides(i), (side) => ({
-    curve: cells.curveOf(side) as BoundedCurve,
-    side,
-    neighbor: NONE,
-    r: 0,
-  }))
-  return outlineArea([pieces])
+  return clip?.areaOf(diagram, i, maxDistance) ?? diagram.cellArea(i, { maxDistance })
 }
 
 /** The perimeter of a cell inside its limits: infinite if it is unbounded, 0 if it does not exist. */
 export function cellPerimeter(diagram: Diagram, i: number, { clip, maxDistance }: CellLimits = {}): number {
-  if (clip !== undefined) return clip.perimeterOf(diagram, i, maxDistance)
-  if (maxDistance !== undefined || diagram.cells.isBounded(i)) return diagram.cellPerimeter(i, { maxDistance })
-  return diagram.cells.exists(i) ? Number.POSITIVE_INFINITY : 0
+  return clip?.perimeterOf(diagram, i, maxDistance) ?? diagram.cellPerimeter(i, { maxDistance })
 }
 
 /** The distance to the nearest other circle, which is a neighbor; negative if they overlap. */
