@@ -45,6 +45,8 @@ export class PageActions extends EditorActions {
   readonly photos = new WeakMap<Attributes, Photo>()
   /** The attributes of the current colors. */
   #attributes: Attributes | undefined
+  /** Whether the circles are those of a photo, with layers of their own. */
+  #isMosaic = false
 
   constructor(
     store: Store<State>,
@@ -185,7 +187,8 @@ export class PageActions extends EditorActions {
 
   /** Shows the circles of a photo as a mosaic, and others as usual. */
   #showMosaic(isPhoto: boolean): void {
-    if (isPhoto === this.view.layers.fullColor) return
+    if (isPhoto === this.#isMosaic) return
+    this.#isMosaic = isPhoto
     this.setLayers({ fullColor: isPhoto, circles: !isPhoto, edges: !isPhoto, vertices: !isPhoto })
   }
 

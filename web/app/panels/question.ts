@@ -194,7 +194,7 @@ export class QuestionForm {
         <button type="button" title="Save a SCORM 1.2 file for Moodle, ILIAS and other course systems, which reports who has solved the question" @click=${() => this.#files.saveCourse(this.#frame)}>
           ${icon(DOWN)}SCORM file
         </button>
-        <button type="button" title="Print the circles without their cells to draw on, a key, and a code that opens the frame on a phone" @click=${() => this.#print()}>
+        <button type="button" data-prints title="Print the circles without their cells to draw on, a key, and a code that opens the frame on a phone" @click=${() => this.#print()}>
           Worksheet
         </button>
         <button type="button" title="Open the frame in a new tab" @click=${() => this.#files.openQuestion(this.#frame)}>Try it</button>

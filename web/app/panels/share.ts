@@ -51,9 +51,7 @@ export function mountShare(
   const ask = (isPrinted: boolean) => {
     if (!question.isOpen) question.toggle()
     const form = byId('make-question', HTMLElement)
-    const buttons = [...form.querySelectorAll('button')]
-    const printing = buttons.find(({ textContent }) => textContent.trim() === 'Worksheet')
-    ;(isPrinted ? printing : form.querySelector('textarea'))?.focus()
+    form.querySelector<HTMLElement>(isPrinted ? '[data-prints]' : 'textarea')?.focus()
   }
   const toggleQuestion = () => {
     if (question.isOpen) question.toggle()
