@@ -40,7 +40,7 @@ test('a worksheet has circles to draw on, a code and the address of the question
   await page.evaluate(() => {
     window.print = () => {}
   })
-  await page.getByRole('button', { name: 'Worksheet' }).click()
+  await page.getByRole('button', { name: 'Worksheet', exact: true }).click()
   const sheet = page.locator('#worksheet')
   await expect(sheet).toBeAttached()
   await soon(() => sheet.evaluate((element: HTMLElement) => element.hidden)).toBe(false)
