@@ -41,8 +41,8 @@ export const bezierArc: Kind = {
     ] as const) {
       pen.dot('front', point, 5)
       // The arc passes the pulling point on the side of its ends.
-      const side = point === control && control.x < (start.x + end.x) / 2 ? -1 : 1
-      pen.write('label best', { x: point.x + side * pen.units(14), y: point.y + pen.units(8) }, name)
+      const [dx, dy] = point === control && control.x < (start.x + end.x) / 2 ? [-6, 14] : [14, 8]
+      pen.write('label best', { x: point.x + pen.units(dx), y: point.y + pen.units(dy) }, name)
     }
     return {
       content: pen.content,
