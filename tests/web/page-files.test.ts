@@ -5,7 +5,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { choose, control, element, send, textOf } from './page-document.ts'
+import { all, choose, control, element, send, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
 import { ThreadHere } from './page-threads.ts'
 import { box } from './shapes.ts'
@@ -114,6 +114,12 @@ describe('the dialog for columns', () => {
       await close('')
     },
   )
+
+  it('rounds long numbers in its rows', async () => {
+    await open('x,y,n\n37.142857142857146,2,12345678901234\n', 'a.csv')
+    expect(all(dialog(), 'td').map(textOf)).toEqual(['37.1429', '2', '12345678901234'])
+    await close('')
+  })
 
   it('says how many circles are hidden before they are opened, for each way to get radii', async () => {
     await open(

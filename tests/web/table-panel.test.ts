@@ -94,6 +94,13 @@ afterEach(async () => {
 })
 
 describe('the cells of the table of circles', () => {
+  it('round long numbers of a file and keep whole ones and texts', async () => {
+    const values = ['37.142857142857146', '1234567890123', '"37.142857142857146"', '0.000012345678912']
+    await page.open(CIRCLES, [{ name: 'long', values }])
+    await soon(() => expect(texts('long')).toEqual(['37.1429', '1234567890123', '37.142857142857146', '0.0000123']))
+    expect(cell(0, 'long').title).toBe('37.142857142857146')
+  })
+
   it('have the numbers of circles, their columns, and what is measured', () => {
     expect(headings().map(textOf)).toEqual(['#', 'x', 'y', 'r', 'area', 'nbrs', 'nearest', 'name', 'n'])
     expect(['x', 'area', 'nearest', 'name', 'n'].map(texts)).toEqual([

@@ -2,6 +2,7 @@
 import { html, nothing, render, svg } from 'lit/html.js'
 import { at } from '../../lib/base/diagram-data.ts'
 import type { Float64s } from '../../lib/index.ts'
+import { short } from '../../view/short.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import {
   type ChosenColumns,
@@ -26,6 +27,9 @@ const KINDS: readonly (readonly [kind: RadiusKind, label: string])[] = [
   ['diameter', 'diameter: halved'],
   ['root', 'area or number: square root'],
 ]
+
+/** Longer numbers are rounded in the preview. */
+const ROOM = 9
 
 const NONE = new Float64Array()
 
@@ -100,7 +104,7 @@ export function chooseColumns(
     <label>${label}
       <input
         type="number"
-        aria-label=${label === '×' ? 'factor' : label}
+        aria-label=${label}
         min=${least === 'min' ? '0' : String(Number.MIN_VALUE)}
         step="any"
         required
@@ -133,7 +137,7 @@ export function chooseColumns(
         ${KINDS.map(([kind, label]) => html`<option value=${kind} .selected=${kind === chosen.kind}>${label}</option>`)}
       </select>
     </label>
-    ${number('×', chosen.factor, (factor) => change({ factor }), 'positive')}
+    ${number('factor', chosen.factor, (factor) => change({ factor }), 'positive')}
   `
   const roleOf = (column: number) =>
     ['x', 'y', 'r'].filter((_, k) => [chosen.x, chosen.y, chosen.r][k] === column).join()
@@ -171,7 +175,7 @@ export function chooseColumns(
                   .slice(0, SHOWN)
                   .map(
                     (row) =>
-                      html`<tr>${heading.map((_, k) => html`<td class=${roleOf(k) && 'used'}>${row[k] ?? ''}</td>`)}</tr>`,
+                      html`<tr>${heading.map((_, k) => html`<td class=${roleOf(k) && 'used'}>${rounded(row[k] ?? '')}</td>`)}</tr>`,
                   )}
               </tbody>
             </table>
@@ -202,6 +206,11 @@ export function chooseColumns(
 function named(table: Table, { x, y, r, kind, factor }: ChosenColumns, all: number): NamedColumns {
   const nameOf = (column: number) => nameOfColumn(table, column)
   return { x: nameOf(x), y: nameOf(y), radius: r === SAME ? { all } : nameOf(r), kind, factor }
+}
+
+/** Rounds a number with many digits, so that several columns fit. */
+function rounded(text: string): string {
+  return /^-?\d+\.\d+$/.test(text) && text.length > ROOM ? short(Number(text)) : text
 }
 
 /** The circles and their cells. Hidden circles stand out. */

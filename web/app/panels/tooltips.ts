@@ -53,6 +53,8 @@ export function mountTooltips(): void {
 
 /** Beside a column of icons, or else below or above a row. */
 function placeBeside(place: HTMLElement, icon: HTMLElement): void {
+  // At the edge, the text would be as narrow as the room there.
+  place.style.left = '0'
   const at = icon.getBoundingClientRect()
   const { width, height } = place.getBoundingClientRect()
   const around = icon.closest('#rail')?.getBoundingClientRect()

@@ -54,13 +54,21 @@ function isOfFile(column: DataColumn, { attributes }: Editing): boolean {
 /** Letters of a number that a column has room for. */
 const ROOM = 9
 
-/** Shortens a number to the width of a column. */
-function narrow(value: number): string {
-  for (let digits = 6; digits > 2; digits--) {
+/** Rounds a number to the width of a column. */
+function narrow(value: number, most = 6): string {
+  for (let digits = most; digits > 2; digits--) {
     const text = short(value, digits)
     if (text.length <= ROOM) return text
   }
   return short(value, 2)
+}
+
+/** Rounds a number of a file to the width of a column. A whole number may be a key, so it keeps its digits. */
+function cellOf(value: string): CellText {
+  const text = textIn(value)
+  if (text.length <= ROOM) return { text }
+  const number = numberIn(value)
+  return { text: Number.isFinite(number) && !Number.isInteger(number) ? narrow(number) : text, title: text }
 }
 
 /** Shows the circles as rows of a grid. */
@@ -146,7 +154,7 @@ export class CircleGrid implements GridContent {
     const id = this.idOf(row)
     const name = this.#columns[column] as Column
     if (name === 'id') return { text: String(id) }
-    if (!isFixed(name)) return { text: textIn(this.#editing.valueOf(id, dataName(name))) }
+    if (!isFixed(name)) return cellOf(this.#editing.valueOf(id, dataName(name)))
     if (!isMeasured(name)) {
       const circle = this.#editing.circles.get(id)
       return circle === undefined ? { text: '' } : { text: narrow(circle[name]), title: String(circle[name]) }
@@ -154,7 +162,7 @@ export class CircleGrid implements GridContent {
     const value = this.#measured.get(id)?.[MEASURED.indexOf(name)]
     if (value === undefined) return { text: '' }
     if (Number.isNaN(value)) return { text: '–', label: 'hidden' }
-    return value === Number.POSITIVE_INFINITY ? { text: '∞', label: 'without end' } : { text: short(value, 4) }
+    return value === Number.POSITIVE_INFINITY ? { text: '∞', label: 'without end' } : { text: narrow(value, 4) }
   }
 
   sortOf(column: number): 'ascending' | 'descending' | 'none' {

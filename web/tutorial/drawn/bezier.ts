@@ -40,7 +40,9 @@ export const bezierArc: Kind = {
       ['p₂', end],
     ] as const) {
       pen.dot('front', point, 5)
-      pen.write('label best', { x: point.x + pen.units(14), y: point.y + pen.units(8) }, name)
+      // The arc passes the pulling point on the side of its ends.
+      const [dx, dy] = point === control && control.x < (start.x + end.x) / 2 ? [-6, 14] : [14, 8]
+      pen.write('label best', { x: point.x + pen.units(dx), y: point.y + pen.units(dy) }, name)
     }
     return {
       content: pen.content,

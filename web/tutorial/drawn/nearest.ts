@@ -17,6 +17,8 @@ import {
 const MOST_POINTS = 600
 /** Distance of a label from the point, in pixels. */
 const CLEAR = 30
+/** Distance of a label from its way, in pixels. */
+const ASIDE = 24
 
 export const nearestCircle: Kind = {
   range: () => ({ last: MOST_POINTS, step: 'any' }),
@@ -49,10 +51,15 @@ export const nearestCircle: Kind = {
   },
 }
 
-/** The middle of a way, or beyond its rim if the way is so short that a label would hide the point. */
+/** Beside the middle of a way, or beyond its rim if the way is so short that a label would hide the point. */
 function labelPlace(pen: Pen, point: Point, circle: Circle, foot: Point): Point {
   const middle = { x: (point.x + foot.x) / 2, y: (point.y + foot.y) / 2 }
-  if (Math.hypot(middle.x - point.x, middle.y - point.y) >= pen.units(CLEAR)) return middle
+  const half = Math.hypot(middle.x - point.x, middle.y - point.y)
+  if (half >= pen.units(CLEAR)) {
+    const [nx, ny] = [(point.y - middle.y) / half, (middle.x - point.x) / half]
+    const side = nx < 0 ? -1 : 1
+    return { x: middle.x + side * nx * pen.units(ASIDE), y: middle.y + side * ny * pen.units(ASIDE) - pen.units(5) }
+  }
   const [dx, dy] = [circle.x - point.x, circle.y - point.y]
   const length = Math.hypot(dx, dy) || 1
   const away = pen.units(CLEAR)

@@ -60,12 +60,12 @@ export const walk: Kind = {
     }
     const now = best(value)
     pen.raw(`<circle class="walker" cx="${x(value).toFixed(1)}" cy="${y(now.f).toFixed(1)}" r="6"/>`)
-    const word = (part: number, f: number, text: string, anchor: string, dy: number) =>
+    const word = (part: number, f: number, text: string, anchor: string, dy: number, dx = 0) =>
       pen.raw(
-        `<text class="label" x="${x(part).toFixed(1)}" y="${(y(f) + dy).toFixed(1)}" text-anchor="${anchor}">${text}</text>`,
+        `<text class="label" x="${(x(part) + dx).toFixed(1)}" y="${(y(f) + dy).toFixed(1)}" text-anchor="${anchor}">${text}</text>`,
       )
-    word(0, 0, '0', 'end', 0)
-    word(0, -start.r, said(-start.r), 'end', 0)
+    word(0, 0, '0', 'end', 5, -8)
+    word(0, -start.r, said(-start.r), 'end', 5, -8)
     word(0.6, steepest * 0.6 - start.r * 0.4, 'as fast as you walk', 'end', -12)
     pen.raw(`<text class="label" x="${PLOT.right}" y="${WALK_HEIGHT - 10}" text-anchor="end">distance walked</text>`)
     pen.raw(`<text class="label" x="8" y="${PLOT.top - 12}">distance f to the nearest circle</text>`)
