@@ -18,6 +18,10 @@ const CONTENT_SECURITY_POLICY = [
   "base-uri 'none'",
 ].join('; ')
 
+/** The pages to build: absolute, because the build and the server of `npm run dev` resolve names differently. */
+const PAGES = ['index.html', 'embed.html', 'tutorial/page.html', 'docs/page.html'].map((page) =>
+  fileURLToPath(new URL(`web/${page}`, import.meta.url)),
+)
 const PAGE = fileURLToPath(new URL('build/page', import.meta.url))
 /** The folder of the built site. */
 const SITE = fileURLToPath(new URL('dist/site', import.meta.url))
@@ -109,7 +113,7 @@ export default defineConfig(({ isPreview }) => ({
     // The first versions with `light-dark()`.
     cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
     assetsInlineLimit: 0,
-    rolldownOptions: { input: ['web/index.html', 'web/embed.html', 'web/tutorial/page.html', 'web/docs/page.html'] },
+    rolldownOptions: { input: PAGES },
   },
   worker: { format: 'es' },
   // The time limit is for hanging tests. On a busy machine a test of many random inputs may take long.

@@ -56,6 +56,25 @@ const PURPOSES = {
   },
 }
 
+/** The same on systems where this script installs nothing, by their package managers. */
+const ELSEWHERE = {
+  fedora: {
+    install: 'sudo dnf install',
+    page: 'emscripten cmake ninja-build gcc-c++ eigen3-devel cli11-devel fast_float-devel range-v3-devel mandoc',
+    tests:
+      'clang-tools-extra gcovr boost-devel CGAL-devel gtest-devel google-benchmark-devel gmp-devel mpfr-devel ' +
+      'librsvg2-tools mkdocs json-devel pybind11-devel python3-devel python3-mypy python3-geopandas ' +
+      'python3-matplotlib python3-pytest python3-scipy python3-shapely chromium firefox xorg-x11-server-Xvfb',
+  },
+  darwin: {
+    install: 'brew install',
+    page: 'emscripten cmake ninja eigen cli11 fast_float range-v3 mandoc',
+    tests:
+      'clang-format gcovr boost cgal googletest google-benchmark gmp mpfr librsvg mkdocs nlohmann-json pybind11 mypy ' +
+      'chromium firefox',
+  },
+}
+
 /** The browsers for tests and their tools: programs, Debian packages, and names. */
 const BROWSERS = [
   [chromiumPath(), 'chromium', 'Chromium (set CHROMIUM_PATH to its program)'],
@@ -77,14 +96,18 @@ export async function setup(purpose, meanwhile) {
   const tests = purpose === 'tests'
   const wanted = tests ? Object.values(PURPOSES) : [PURPOSES.page]
   const browsers = tests ? BROWSERS.filter(([program]) => !existsSync(program)) : []
-  if (isDebian12OrLater()) {
+  const system = systemOf()
+  if (system === 'debian' || system === 'ubuntu') {
+    // Ubuntu has other browsers under these names, or none.
+    if (system === 'ubuntu' && browsers.length > 0) throw new Error(`Install for the tests:\n${listed(browsers)}`)
     const packages = wanted.flatMap((part) => part.packages)
     await installDebianPackages([...packages.filter((name) => !isInstalled(name)), ...browsers.map(([, name]) => name)])
   } else {
     checkOtherSystem(
+      system,
+      purpose,
       wanted.flatMap((part) => part.libraries),
-      tests,
-      browsers.map(([, , what]) => what),
+      browsers,
     )
   }
   await Promise.all([installNpmPackages(), meanwhile?.()])
@@ -100,11 +123,19 @@ export function chromiumShellPath() {
   return process.env.CHROMIUM_SHELL_PATH ?? process.env.CHROMIUM_PATH ?? '/usr/bin/chromium-headless-shell'
 }
 
-function isDebian12OrLater() {
-  if (!existsSync('/etc/os-release')) return false
+/** Returns `debian` (12 or later), `ubuntu` (24.04 or later), `fedora`, `darwin`, or `undefined` for other systems. */
+function systemOf() {
+  if (process.platform === 'darwin') return 'darwin'
+  if (!existsSync('/etc/os-release')) return undefined
   const release = readFileSync('/etc/os-release', 'utf8')
   const version = Number(/^VERSION_ID="?(\d+)/m.exec(release)?.[1])
-  return /^ID=debian$/m.test(release) && version >= 12
+  const id = /^ID="?(\w+)/m.exec(release)?.[1] ?? ''
+  const first = { debian: 12, ubuntu: 24, fedora: 0 }[id]
+  return version >= first ? id : undefined
+}
+
+function listed(browsers) {
+  return browsers.map(([, , what]) => `  ${what}`).join('\n')
 }
 
 function isInstalled(name) {
@@ -128,7 +159,8 @@ async function installDebianPackages(missing) {
 }
 
 /** On other systems, lists what is missing and changes nothing. */
-function checkOtherSystem(libraries, tests, missingBrowsers) {
+function checkOtherSystem(system, purpose, libraries, missingBrowsers) {
+  const tests = purpose === 'tests'
   const missing = Object.entries({
     emcmake: 'Emscripten 3.1.6 or later',
     cmake: 'CMake 3.25 or later',
@@ -138,11 +170,14 @@ function checkOtherSystem(libraries, tests, missingBrowsers) {
   })
     .filter(([program]) => spawnSync(program, ['--version']).error !== undefined)
     .map(([program, what]) => `  ${what} (${program})`)
-  missing.push(...missingBrowsers.map((what) => `  ${what}`))
+  if (missingBrowsers.length > 0) missing.push(listed(missingBrowsers))
   if (missing.length > 0) {
+    const { install, ...packages } = ELSEWHERE[system] ?? {}
+    const names = tests ? `${packages.page} ${packages.tests}` : packages.page
+    const command = install === undefined ? '' : `\nMost of them: ${install} ${names}`
     throw new Error(
-      `This script installs packages on Debian 12 only. Install on this system:\n${missing.join('\n')}\n` +
-        `and the C++ libraries ${libraries.join(', ')}, then run the same command again.`,
+      `This script installs packages on Debian and Ubuntu only. Install on this system:\n${missing.join('\n')}\n` +
+        `and the C++ libraries ${libraries.join(', ')}, then run the same command again.${command}`,
     )
   }
 }
