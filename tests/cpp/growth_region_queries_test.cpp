@@ -32,6 +32,13 @@ GrowthInput busyCorridor(std::size_t size) {
   return input;
 }
 
+/// Thin diagonal strips, and one circle outside.
+GrowthInput emptyStrips(std::size_t size) {
+  GrowthInput input = kStrips.make(size);
+  input.circles = {{-5000, 0, 1}};
+  return input;
+}
+
 constexpr std::array kCorridors = {GrowthFamily{"ring corridor", ringCorridor},
                                    GrowthFamily{"busy ring corridor", busyCorridor}};
 
@@ -65,11 +72,13 @@ TEST(GrowthInRegions, OfClearestPaths) {
 }
 
 TEST(GrowthInRegions, OfLargestDiscs) {
-  static const std::array kFamilies = {kUniform, kHub, kStrips, kSpiral, kHoles};
+  static const std::array kFamilies = {kUniform, kHub, kSpiral, kHoles};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kFamilies});
   static const std::array kTeeth = {kComb};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kTeeth, 2000});
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kCorridors});
+  static const std::array kBare = {GrowthFamily{"empty strips", emptyStrips}};
+  expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kBare});
 }
 
 }  // namespace

@@ -201,14 +201,15 @@ bool hasOtherNumbers(CsvTable table, const ColumnNames& names) {
   return false;
 }
 
-/// Returns the reason why the first record is neither a header nor a circle.
-ReadError problemOf(const CsvTable& table, const ColumnNames& names) {
+/// Returns the reason why the first record is neither a header nor a circle. In a tile it does not depend on later
+/// records, which a stream may not have yet.
+ReadError problemOf(const CsvTable& table, const ColumnNames& names, bool isOfTile) {
   const auto problem = [&](std::string reason, OptionAdvice advice = {}) {
     return ReadError{.offset = table.offset(), .reason = std::move(reason), .advice = std::move(advice)};
   };
   const Fields fields = filled(table.fields());
   const auto isANumber = [&](const CsvField& field) { return isNumber(field, table.separator()); };
-  const auto points = names.isGiven(0) || names.isGiven(1) ? std::nullopt : pointColumn(table);
+  const auto points = isOfTile || names.isGiven(0) || names.isGiven(1) ? std::nullopt : pointColumn(table);
   if (points && points->isInFirstRecord) {
     return names.withoutRadius(problem("the points have no radius"));
   }
@@ -216,7 +217,7 @@ ReadError problemOf(const CsvTable& table, const ColumnNames& names) {
     for (std::size_t number = points ? ColumnNames::kRadius : 0; number < ColumnNames::kCount; ++number) {
       if (std::ranges::none_of(fields, [&](const CsvField& field) { return names.means(number, field.text); })) {
         ReadError failure = problem("no column is called " + names.listOf(number) + ", only " + listOfFields(fields));
-        if (number == ColumnNames::kRadius && !hasOtherNumbers(table, names)) {
+        if (number == ColumnNames::kRadius && !isOfTile && !hasOtherNumbers(table, names)) {
           return names.withoutRadius(std::move(failure));
         }
         failure.advice = ColumnNames::advice("; name one by ", number);
@@ -360,7 +361,8 @@ std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& opti
     return layoutFrom(table, columns, names, isOfTile);
   };
   try {
-    return layoutBySeparator(text, isWhole, layout, [&](const CsvTable& table) { return problemOf(table, names); });
+    return layoutBySeparator(text, isWhole, layout,
+                             [&](const CsvTable& table) { return problemOf(table, names, isOfTile); });
   } catch (const ReadError&) {
     if (isOfTile || names.isGiven(0) || names.isGiven(1)) throw;
     for (const char separator : separatorsOf(text)) {
