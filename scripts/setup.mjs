@@ -56,7 +56,7 @@ const PURPOSES = {
   },
 }
 
-/** The same on systems where this script installs nothing, by their package managers. */
+/** Names of the same packages on systems where this script installs nothing. */
 const ELSEWHERE = {
   fedora: {
     install: 'sudo dnf install',
