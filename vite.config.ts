@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { existsSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import sirv, { type Options } from 'sirv'
 import type { HtmlTagDescriptor, Plugin } from 'vite'
@@ -80,6 +81,17 @@ const pageParts: Plugin = {
   },
 }
 
+/** Ends `npm run dev` with one sentence if the modules are missing. Each import of them would print a stack trace. */
+const builtModules: Plugin = {
+  name: 'built-modules',
+  apply: (_config, { command, isPreview }) => command === 'serve' && !isPreview && process.env.VITEST === undefined,
+  configResolved({ logger }) {
+    if (existsSync(new URL('web/lib/generated/circle-voronoi.js', import.meta.url))) return
+    logger.error('The WebAssembly modules are missing. Build them with: npm run build:wasm')
+    process.exit(1)
+  },
+}
+
 /** Serves the compressed files of the build; Vite itself would send WebAssembly uncompressed. */
 const compressedFiles: Plugin = {
   name: 'compressed-files',
@@ -129,6 +141,7 @@ export default defineConfig(({ isPreview }) => ({
   },
   plugins: [
     { name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] },
+    builtModules,
     pageParts,
     preloads,
     compressedFiles,
