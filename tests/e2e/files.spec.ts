@@ -348,7 +348,7 @@ test('columns of other names are guessed, and asked for with a preview; names ar
   await expect(page.locator('#name-tag')).toHaveText('Ulm')
 
   await choose(app, 'odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n15,1,2,3\n')
-  await expect(dialog.getByRole('columnheader')).toHaveText(['ax', 'by', 'cr', 'd'])
+  await expect(dialog.getByRole('columnheader')).toHaveText(['ax', 'by', 'c', 'dr'])
   await expect(dialog.getByRole('cell')).toHaveCount(12)
   await dialog.getByLabel('x', { exact: true }).selectOption('d')
   await dialog.getByLabel('y', { exact: true }).selectOption('d')

@@ -19,10 +19,10 @@ async function saved(page: Page): Promise<Float64Array> {
 
 test('a family with a number and a seed, again, edited, and the same after a reload', async ({ app }) => {
   const { page } = app
-  await page.getByLabel('Data set').selectOption({ label: 'More …' })
+  await page.getByLabel('Data set', { exact: true }).selectOption({ label: 'More …' })
   const panel = page.getByRole('region', { name: 'Gallery' })
   await expect(panel.getByRole('button', { name: /^Eight circles/ })).toBeFocused()
-  await expect(page.getByLabel('Data set')).toHaveValue('bronzefilter')
+  await expect(page.getByLabel('Data set', { exact: true })).toHaveValue('bronzefilter')
   await page.getByText('Hard inputs', { exact: true }).click()
   await panel.getByLabel('Number of circles').fill('50')
   await panel.getByLabel('Random seed').fill('7')
@@ -73,7 +73,7 @@ test('a figure of the paper, and links to what is none', async ({ app }) => {
   await page.getByText('Hard inputs', { exact: true }).click()
   await page.getByRole('button', { name: /^Figure 13b/ }).click()
   await expect(app.status).toContainText('14 circles')
-  await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 13b')
+  await expect(page.getByLabel('Data set', { exact: true }).locator('option:checked')).toHaveText('Figure 13b')
   await soon(() => stateOf(app)).toEqual({ dataSet: 'figure-13b' })
   for (const [dataSet, problem] of [
     ['nonsense:1:5', 'There is no family "nonsense".'],

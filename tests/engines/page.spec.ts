@@ -136,11 +136,11 @@ for (const [name, openEngine] of ENGINES) {
         await page.choose('#files input[type=file]', csv)
         await page.says('#status', '5 circles')
         await page.click('CSV')
-        const saved = `${engine.downloads}/circles.csv`
+        const saved = `${engine.downloads}/five.csv`
         await until('saved', async () => existsSync(saved) && readFileSync(saved, 'utf8').length > 0, Boolean)
         expect([...circlesOfText(readFileSync(saved, 'utf8'))]).toEqual(FIVE.flat())
         await page.click('JSON')
-        const json = `${engine.downloads}/circles.json`
+        const json = `${engine.downloads}/five.json`
         await until('saved', async () => existsSync(json) && readFileSync(json, 'utf8').endsWith('}\n'), Boolean)
         const diagram = (await loadFiles()).readDiagram(readFileSync(json, 'utf8'))
         expect((await loadCircleVoronoi()).certify(diagram).certified).toBe(true)

@@ -37,9 +37,17 @@ it('holds the built library and nothing else', () => {
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)
   const element = [
     ...['index', 'define', 'painter', 'bundle', 'classic', 'inline', 'react'].map((name) => `${name}.js`),
-    ...['index', 'define', 'bundle', 'react', 'exports', 'circle-voronoi-element', 'frame-types', 'frameworks'].map(
-      (name) => `${name}.d.ts`,
-    ),
+    ...[
+      'index',
+      'define',
+      'bundle',
+      'react',
+      'exports',
+      'circle-voronoi-element',
+      'frame-types',
+      'frameworks',
+      'goals',
+    ].map((name) => `${name}.d.ts`),
     ...['element.css', 'custom-elements.json'],
   ].map((name) => `dist/element/${name}`)
   const picture = ['command.js', 'index.js', 'index.d.ts', 'render.d.ts', 'scheme.d.ts'].map(
