@@ -46,7 +46,7 @@ it('holds the built library and nothing else', () => {
       'circle-voronoi-element',
       'frame-types',
       'frameworks',
-      'goals',
+      'goal-types',
     ].map((name) => `${name}.d.ts`),
     ...['element.css', 'custom-elements.json'],
   ].map((name) => `dist/element/${name}`)

@@ -24,4 +24,4 @@ export {
 } from './circle-voronoi-element.ts'
 export type { FrameMessage, FrameRequest } from './frame-types.ts'
 export type { CircleVoronoiProps } from './frameworks.ts'
-export type { Goal } from './goals.ts'
+export type { CellGoalName, DiagramGoalName, Goal } from './goal-types.ts'

@@ -1,33 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The goals of a check: each number that it asks for, as it is now, in words and at the circle that has it.
-import type { Check, NumberCondition } from '../lib/check-types.ts'
+import type { Check } from '../lib/check-types.ts'
 import type { Facts } from '../view/protocol.ts'
 import type { Ring } from '../view/rings.ts'
 import { short } from '../view/short.ts'
 import { holds, numbersIn } from './check.ts'
+import type { CellGoalName, DiagramGoalName, Goal } from './goal-types.ts'
 
 const DIGITS = 3
-const OF_CELLS = ['area', 'neighbors', 'edges', 'bounded', 'hidden', 'neighbor', 'r', 'x', 'y'] as const
-const OF_DIAGRAM = ['circles', 'hidden', 'vertices', 'edges'] as const
+const OF_CELLS = [
+  'area',
+  'neighbors',
+  'edges',
+  'bounded',
+  'hidden',
+  'neighbor',
+  'r',
+  'x',
+  'y',
+] as const satisfies readonly CellGoalName[]
+const OF_DIAGRAM = ['circles', 'hidden', 'vertices', 'edges'] as const satisfies readonly DiagramGoalName[]
 /** The numbers that a reader sets. Exact ones are told only while they are not met. */
 const GIVEN: readonly string[] = ['r', 'x', 'y']
-
-/**
- * One goal of a check.
- *
- * @category Element
- */
-export interface Goal {
-  /** The name in the check, such as `edges`. */
-  readonly name: (typeof OF_CELLS)[number] | (typeof OF_DIAGRAM)[number]
-  /** The id of the circle; `undefined` for a goal of the diagram. */
-  readonly cell: number | undefined
-  /** The current value. For `neighbor` it says whether the two cells share an edge. */
-  readonly value: number | boolean
-  /** The value, or the range, that the check asks for. */
-  readonly goal: NumberCondition | boolean
-  readonly isMet: boolean
-}
 
 /** The words for goals. */
 export interface GoalWords {
