@@ -375,7 +375,7 @@ class DiscSearch {
     // A way from outside into the region crosses the boundary, and is at least as long up to there as to the nearest
     // thing: a side, or a circle that covers the boundary where its sides are not kept.
     const double mostFromOutside = reach - std::abs(least);
-    if (!(rectangle.most < mostFromOutside) && !contains(rectangle.center, rectangle)) {
+    if (!(rectangle.most < mostFromOutside) && !contains(rectangle.center, least, rectangle)) {
       rectangle.most = mostFromOutside;
       opposite = &first;
       if (!mayBeLarger(rectangle.most)) return;
@@ -432,11 +432,10 @@ class DiscSearch {
     return least;
   }
 
-  /// Returns whether the region contains a point of a rectangle, up to rounding. If the nearest things are sides, the
-  /// point is inside on their left, and beyond a reflex corner. The two sides of a wall may be a few units of rounding
-  /// apart.
-  bool contains(Point p, const Rectangle& rectangle) const {
-    const double least = leastDistance(p, rectangle);
+  /// Returns whether the region contains a point of a rectangle whose distance from the nearest thing is `least`, up to
+  /// rounding. If the nearest things are sides, the point is inside on their left, and beyond a reflex corner. The two
+  /// sides of a wall may be a few units of rounding apart.
+  bool contains(Point p, double least, const Rectangle& rectangle) const {
     if (std::abs(least) <= kRoundingOfTouch) return true;
     std::array<bool, 2> answers = {false, false};
     for (const std::int32_t thing : rectangle.near) {
@@ -447,7 +446,7 @@ class DiscSearch {
     return answers[0] != answers[1] ? answers[1] : region_.contains(there(p));
   }
 
-  /// Returns whether a point is inside of a side that is the nearest one.
+  /// Returns whether a point is in the region if the given side is the nearest one.
   static bool isInsideOf(const Side& side, Point p) {
     const Vector v = vectorTo(side.from, p);
     const double ahead = dot(side.direction, v);
@@ -459,6 +458,7 @@ class DiscSearch {
   bool mayBeLarger(double most) const { return most > radius_ * (1 + kRoundingOfRadius); }
 
   /// Keeps the things that may be nearest to a point of a rectangle, from which the nearest is at most `most` away.
+  /// Returns whether most of them are sides along the whole rectangle.
   bool keepNearest(Rectangle& rectangle, const std::vector<Distance>& distances, double most) const {
     // Of each sector of directions, the thing with the least bound.
     std::array<const Distance*, kSectors> nearest = {};
@@ -522,7 +522,7 @@ class DiscSearch {
 
   void offer(Point p, const Rectangle& rectangle) {
     double least = leastDistance(p, rectangle);
-    if (!(least > radius_) || !contains(p, rectangle)) return;
+    if (!(least > radius_) || !contains(p, least, rectangle)) return;
     const Point center = roundedInUnits(there(p));
     // In thin regions, rounding of the center counts.
     for (const std::int32_t thing : rectangle.near) {
