@@ -28,7 +28,9 @@ it('a diagram is read as it was written', () => {
   expect(files.holdsDiagram(text)).toBe(true)
   expect({ ...files.readDiagram(text) }).toEqual({ ...diagram })
   expect(files.writeDiagram({ ...diagram })).toBe(text)
-  expect(new Set(DIAGRAM_FORMATS.map((format) => files.writeDiagram(diagram, { format }))).size).toBe(DIAGRAM_FORMATS.length)
+  expect(new Set(DIAGRAM_FORMATS.map((format) => files.writeDiagram(diagram, { format }))).size).toBe(
+    DIAGRAM_FORMATS.length,
+  )
 })
 
 it('a diagram is drawn where, how far and how closely it is asked for', () => {
