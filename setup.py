@@ -35,7 +35,6 @@ setup(
         "-DCIRCLE_VORONOI_BUILD_CLI=OFF",
         "-DCIRCLE_VORONOI_BUILD_TESTS=OFF",
         "-DCIRCLE_VORONOI_INSTALL=OFF",
-        "-DCIRCLE_VORONOI_WARNINGS_AS_ERRORS=OFF",
         f"-DPython3_EXECUTABLE={sys.executable}",
         f"-Dpybind11_DIR={pybind11.get_cmake_dir()}",
     ],

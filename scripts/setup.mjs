@@ -98,10 +98,12 @@ export async function setup(purpose, meanwhile) {
   const browsers = tests ? BROWSERS.filter(([program]) => !existsSync(program)) : []
   const system = systemOf()
   if (system === 'debian' || system === 'ubuntu') {
-    // Ubuntu has other browsers under these names, or none.
-    if (system === 'ubuntu' && browsers.length > 0) throw new Error(`Install for the tests:\n${listed(browsers)}`)
     const packages = wanted.flatMap((part) => part.packages)
-    await installDebianPackages([...packages.filter((name) => !isInstalled(name)), ...browsers.map(([, name]) => name)])
+    // Ubuntu has no browsers under these names, or others.
+    const own = system === 'debian' ? browsers : browsers.filter(([, name]) => /^(xvfb|webkit2gtk-driver)$/.test(name))
+    await installDebianPackages([...packages.filter((name) => !isInstalled(name)), ...own.map(([, name]) => name)])
+    const others = browsers.filter((browser) => !own.includes(browser))
+    if (others.length > 0) throw new Error(`Install for the tests:\n${listed(others)}`)
   } else {
     checkOtherSystem(
       system,
@@ -128,7 +130,8 @@ function systemOf() {
   if (process.platform === 'darwin') return 'darwin'
   if (!existsSync('/etc/os-release')) return undefined
   const release = readFileSync('/etc/os-release', 'utf8')
-  const version = Number(/^VERSION_ID="?(\d+)/m.exec(release)?.[1])
+  // The testing branch of Debian has no number.
+  const version = Number(/^VERSION_ID="?(\d+)/m.exec(release)?.[1] ?? Infinity)
   const id = /^ID="?(\w+)/m.exec(release)?.[1] ?? ''
   const first = { debian: 12, ubuntu: 24, fedora: 0 }[id]
   return version >= first ? id : undefined
@@ -176,7 +179,7 @@ function checkOtherSystem(system, purpose, libraries, missingBrowsers) {
     const names = tests ? `${packages.page} ${packages.tests}` : packages.page
     const command = install === undefined ? '' : `\nMost of them: ${install} ${names}`
     throw new Error(
-      `This script installs packages on Debian and Ubuntu only. Install on this system:\n${missing.join('\n')}\n` +
+      `This script installs packages on Debian 12, Ubuntu 24.04 and later versions only. Install on this system:\n${missing.join('\n')}\n` +
         `and the C++ libraries ${libraries.join(', ')}, then run the same command again.${command}`,
     )
   }

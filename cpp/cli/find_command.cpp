@@ -43,6 +43,7 @@ Diagram diagramOf(const CLI::App& command, FindArguments& arguments, const std::
     }
     auto read = readDiagramFile(text, name);
     if (!read) throw CommandError{kBadInput, read.error().message};
+    if (read->isPeriodic) throw CommandError{kBadInput, name + ": find takes no diagram of compute --lattice."};
     const auto certificate = certify(read->diagram);
     if (!certificate) throw CommandError{kBadInput, name + ": " + certificate.error().message};
     if (!certificate->certified()) {

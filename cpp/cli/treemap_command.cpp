@@ -21,7 +21,6 @@
 #include "number_text.h"
 #include "output.h"
 #include "progress_line.h"
-#include "read_double.h"
 #include "whole_number.h"
 
 namespace circle_voronoi::cli {
@@ -29,7 +28,7 @@ namespace {
 
 const std::vector<std::string> kTreemapFormats = {"json", "csv", "svg", "geojson", "geojsonl"};
 /// The columns of the output besides those of the path and of the values.
-const std::vector<std::string> kOwnColumns = {"level", "area", "x", "y", "weight"};
+const std::vector<std::string> kOwnColumns = {"level", "area", "x", "y", "weight", "polygons"};
 constexpr const char* kMissing = "null";
 
 struct TreemapArguments {
@@ -62,15 +61,6 @@ struct PathTree {
     return at->second;
   }
 };
-
-/// A number of a table may be in quotation marks.
-std::optional<double> numberOf(std::string_view value) {
-  if (value.size() > 2 && value.starts_with('"')) value = value.substr(1, value.size() - 2);
-  double number = 0;
-  const char* const end = value.data() + value.size();
-  const auto [stop, code] = readDouble(value.data(), end, number);
-  return code == std::errc() && stop == end && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
 
 Table readColumns(const std::string& file, const std::vector<std::string>& columns) {
   auto table = readTable(readText(file), inputName(file), columns);
@@ -151,7 +141,9 @@ std::string textOf(const Path& path) {
   if (error.circle >= 0) {
     const std::string node = "node " + std::to_string(error.circle);
     if (const std::size_t at = error.message.find(node); at != std::string::npos) {
-      error.message.replace(at, node.size(), textOf(tree.paths[static_cast<std::size_t>(error.circle)]));
+      const std::string path = textOf(tree.paths[static_cast<std::size_t>(error.circle)]);
+      error.message.replace(at, node.size(), path);
+      if (error.option.offset > at) error.option.offset += path.size() - node.size();
     }
   }
   fail(error, name + ": ");
@@ -224,7 +216,7 @@ void checkColumns(const TreemapArguments& arguments) {
     std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c; });
     if (std::ranges::find(names, lower) != names.end()) {
       throw CommandError{kBadInput,
-                         "Two columns of the output would be called " + name + "; rename that of the input."};
+                         "The output has another column called " + name + "; rename the column of the input."};
     }
     names.push_back(lower);
   }

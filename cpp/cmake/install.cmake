@@ -44,10 +44,10 @@ foreach(name circle_voronoi circle_voronoi_families circle_voronoi_fit circle_vo
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${pkgconfig_dir} ${development})
 endforeach()
 
-# With each component, for it may be a package of its own.
+# Each component installs the license, because it may become a package of its own.
 foreach(component runtime development program)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
-    DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/circle_voronoi COMPONENT circle_voronoi_${component})
+    DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT circle_voronoi_${component})
 endforeach()
 
 if(CIRCLE_VORONOI_BUILD_CLI)

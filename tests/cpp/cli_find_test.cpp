@@ -46,6 +46,9 @@ TEST_F(CliFind, TakesPlacesOnTheEarth) {
 TEST_F(CliFind, RefusesWhatItCannotUse) {
   expectFailure(run("find - --at -"), 2, "The circles and the points cannot both be standard input.");
   expectFailure(run("find " + circles_ + " --at " + points_ + " --unit m"), 2, "--unit needs --sphere.");
+  const std::string periodic = path("periodic.json");
+  textOf("compute " + circles_ + " --lattice 20,0,0,20 -o " + periodic);
+  expectFailure(run("find " + periodic + " --at " + points_), 2, "find takes no diagram of compute --lattice.");
   const std::string diagram = path("diagram.json");
   textOf("compute " + circles_ + " -o " + diagram);
   expectFailure(run("find " + diagram + " --metric power --at " + points_), 2,

@@ -199,9 +199,13 @@ TEST_F(CliTreemap, RefusesOptionsThatDoNotGoTogether) {
   fails(people_ + " --values people", "--path is required");
   fails(people_ + " --path land", "--values is required");
   fails(people_ + " --path land,land --values people",
-        "Two columns of the output would be called land; rename that of the input.");
+        "The output has another column called land; rename the column of the input.");
   fails(write("area.csv", "Area,n\na,1\n") + " --path Area --values n",
-        "Two columns of the output would be called Area; rename that of the input.");
+        "The output has another column called Area; rename the column of the input.");
+  fails(write("polygons.csv", "polygons,n\na,1\n") + " --path polygons --values n",
+        "The output has another column called polygons; rename the column of the input.");
+  fails(people_ + options_ + " --area-tolerance 5e-324",
+        "people.csv: The cell of the whole region cannot be divided: --area-tolerance must be above 0");
   fails(people_ + options_ + " -o " + path("cells.wkt"), "treemap needs --format json, csv, svg, geojson or geojsonl.");
   fails(people_ + options_ + " --metric centers", "--metric");
   fails(people_ + options_ + " --relax -1", "--relax");

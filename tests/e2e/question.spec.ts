@@ -62,7 +62,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
   const tab = await opening
   await expect(tab).toHaveURL(address)
   await expect(tab.getByRole('status')).toHaveText('Noch nicht gelöst')
-  await expect(tab.locator('#goals')).toHaveText('Kanten jetzt 4, Ziel 3; Kreise jetzt 5, Ziel 5')
+  await expect(tab.locator('#goals')).toHaveText('Kanten: jetzt 4, Ziel 3; Kreise: jetzt 5, Ziel 5')
   const ring = tab.locator('circle-voronoi .rings circle')
   await expect(ring).not.toHaveClass(/closed/)
   const circlesThere = () => tab.evaluate(() => document.querySelector('circle-voronoi')?.circles.length)

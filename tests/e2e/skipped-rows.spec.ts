@@ -65,7 +65,7 @@ test('columns that were chosen keep rows, names and what can be skipped', async 
   const text = 'ort;rechtswert;hochwert;durchmesser\nA;1;2;1\nB;;2;1\nC;9;2;1,5\n'
   const file = { name: 'odd.csv', mimeType: 'text/csv', buffer: Buffer.from(text) }
   await page.getByLabel('Open …').setInputFiles(file)
-  await expect(dialog).toContainText('1 row is no circle.')
+  await expect(dialog).toContainText('1 row is not a circle.')
   await dialog.getByRole('button', { name: 'Open' }).click()
   const alert = page.getByRole('alert')
   await expect(alert).toContainText('odd.csv:3: rechtswert is empty.')

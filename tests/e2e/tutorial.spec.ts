@@ -131,7 +131,7 @@ async function answer(page: Page): Promise<void> {
 /** Solves an exercise by dragging, and reverts the solution. */
 async function reach(page: Page): Promise<void> {
   for (const section of await page.locator('.try').all()) {
-    await expect(section.locator('.now')).toHaveText(/ now .*, goal /)
+    await expect(section.locator('.now')).toHaveText(/: now .*, goal /)
     const output = section.locator('figcaption output')
     await expect(output).toHaveText('')
     await section.getByText('Answer', { exact: true }).click()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Point } from '../../web/lib/index.ts'
 import { decodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { soon } from '../soon.ts'
@@ -98,17 +99,19 @@ test('the clearest path follows its ends and the circles', async ({ app }) => {
   await app.openPanel('Layers')
   await page.getByRole('checkbox', { name: 'Clearest path' }).check()
   const row = page.locator('.layer', { hasText: 'Clearest path' }).locator('small')
-  await expect(row).toHaveText(/^-?[\d.]+$/)
+  await expect(row).toHaveText(/^[\d.]+$/)
   const clearance = await row.textContent()
-  const { width, height } = page.viewportSize() as { width: number; height: number }
+  const pathOf = async () => (await decodeLink(new URL(page.url()).hash)).layers?.path
+  await soon(pathOf).toBeDefined()
+  const end = app.locate(INTRODUCTION, ((await pathOf()) as unknown as { to: Point }).to)
   // A point that is certainly inside a disc.
   const inside = app.center(INTRODUCTION, 0)
-  await app.drag({ x: width / 2 + 0.3 * width, y: height / 2 }, inside)
+  await app.drag(end, inside)
   await page.mouse.up()
   await expect(row).toHaveText(/^-[\d.]+$/)
   await expect(app.inspector).toBeHidden()
   await page.keyboard.press('Escape')
-  await app.drag(inside, { x: width / 2 + 0.3 * width, y: height / 2 })
+  await app.drag(inside, end)
   await page.mouse.up()
   await expect(row).toHaveText(clearance as string)
   await page.getByRole('checkbox', { name: 'Clearest path' }).uncheck()

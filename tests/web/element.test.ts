@@ -309,7 +309,7 @@ describe('a check', () => {
     ])
     // Equal goals are told together, and an exact number that a reader has set is not told.
     expect(goalSentence(goals, ENGLISH_GOALS)).toBe(
-      'Edges now 3, 3, goal 4; cells share an edge now no, goal yes; hidden circles now 1, goal at most 1',
+      'Edges: now 3, 3, goal 4; cells share an edge: now no, goal yes; hidden circles: now 1, goal at most 1',
     )
     const rings = (isMet: boolean) =>
       goalRings(check, goals, isMet, ENGLISH_GOALS).map(({ id, text, isClosed }) => [id, text, isClosed])

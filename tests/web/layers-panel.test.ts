@@ -29,10 +29,20 @@ it('the ends of a new path are in the part of the picture that no panel covers',
   const { from, to } = actions.pathAcross()
   Reflect.deleteProperty(actions, 'paddingNow')
   for (const end of [from, to]) {
-    const { x } = toScreen(view.camera, view.size, end)
+    const { x, y } = toScreen(view.camera, view.size, end)
     expect(x).toBeGreaterThan(covered.left)
     expect(x).toBeLessThan(view.size.width - covered.right)
+    expect(y).toBeGreaterThan(covered.top)
+    expect(y).toBeLessThan(view.size.height - covered.bottom)
   }
+})
+
+it('the ends of a new path are outside of circles where there is room', async () => {
+  const { view, actions } = page
+  const { from, to } = actions.pathAcross()
+  await page.open(Float64Array.of(from.x, from.y, 1, to.x, to.y, 1))
+  const ends = actions.pathAcross()
+  for (const end of [ends.from, ends.to]) expect(view.hitAt(end, 0)?.part).toBe('cell')
 })
 
 describe('a switch of the panel of layers', () => {

@@ -34,9 +34,9 @@ async function show(now: number) {
 describe('an animation', () => {
   async function started(circles = [0, 0, 1, 10, 0, 2]) {
     const session = pageSession({ size: { width: 200, height: 100 } })
-    const { editing, view } = session
+    const { editing } = session
     await editing.open(sceneOf(Float64Array.from(circles)))
-    const motion = new Motion(view, editing, session.actions)
+    const motion = new Motion(editing, session.actions)
     const changes: boolean[] = []
     motion.onchange(() => changes.push(motion.isMoving))
     const radii = () => [...editing.circles.circles()].filter((_, k) => k % 3 === 2)

@@ -133,7 +133,7 @@ describe('the dialog for columns', () => {
       'diameter: halved',
     ])
     expect(control(dialog(), 'factor').value).toBe('0.01')
-    expect(await told()).toMatch(/^1 circle is hidden .* 1 row is no circle/)
+    expect(await told()).toMatch(/^1 circle is hidden .* 1 row is not a circle/)
     expect(dialog().querySelector('.hidden')?.getAttribute('d')).not.toBe('')
     expect(dialog().querySelector('.edges')?.getAttribute('d')).toContain('M')
     await entered(dialog(), 'factor', '0.001')
@@ -186,6 +186,15 @@ describe('points and polygons of one file', () => {
     await page.actions.undo()
     await page.actions.undo()
     expect([circles(), page.editing.domain.region]).toEqual([[...FIVE], undefined])
+  })
+
+  it('keep the region if an invalid point is skipped', async () => {
+    const invalid = feature({ type: 'Point', coordinates: [2, 2] })
+    await open(text(point(1), square(-5, 20), invalid), 'both.geojson')
+    await soon(() => expect(problem()).toContain('feature'))
+    await pressed(element('problem'), 'Skip 1 row')
+    await soon(() => expect(circles()).toEqual([1, 1, 1]))
+    expect(corners()).toBeGreaterThan(3)
   })
 
   it('are merged on request if they overlap, and pasted like a file', async () => {

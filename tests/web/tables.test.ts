@@ -58,6 +58,7 @@ describe('a table whose columns the reader does not know', () => {
     ['Stadt;Rechtswert;Hochwert;Durchmesser', 'A;1;2;3', { x: 1, y: 2, r: 3, kind: 'diameter' }],
     ['longitude,latitude,radius_km,Name', '1,2,3,A', { x: 0, y: 1, r: 2 }],
     ['center_x\tcenter_y\tdbh', '1\t2\t3', { x: 0, y: 1, r: 2, kind: 'diameter' }],
+    ['x,y,dbh,height', '1,5,2,9\n2,5,2,9\n3,4,2,9', { x: 0, y: 1, r: 2, kind: 'diameter' }],
     ['x_pos;y_pos;diameter;radius', '1;2;3;4', { x: 0, y: 1, r: 3 }],
     ['x;lon;lat;weight', '1;2;3;4', { x: 0, y: 2, r: 3 }],
     ['Ort,lon,lat', 'A,1,2', { x: 1, y: 2, r: SAME }],

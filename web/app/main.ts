@@ -124,7 +124,7 @@ store.subscribe(({ degrees }) => {
 mountSay(store, openFile)
 const motion = loadedOnce(async () => {
   const { stoppableMotion } = await import('./motion/stop.ts')
-  return stoppableMotion(view, editing, actions, store)
+  return stoppableMotion(editing, actions, store)
 })
 const pen = new RegionPen(store, actions, view)
 actions.pen = pen

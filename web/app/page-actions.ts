@@ -14,6 +14,7 @@ import { frameOf } from '../lib/link-frame.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
 import type { SketchPhase } from '../view/gestures.ts'
+import type { Layers } from '../view/layers.ts'
 import type { Edited } from '../view/scene-client.ts'
 import type { View } from '../view/view.ts'
 import { boxAround } from './box-around.ts'
@@ -34,6 +35,9 @@ import type { Recipe } from './generators/generators.ts'
 import { interestingBox, sizeOf } from './generators/interesting-box.ts'
 import type { RegionPen } from './region-pen.ts'
 
+/** The layers of a photo. */
+const MOSAIC = { fullColor: true, circles: false, edges: false, vertices: false } as const
+
 /** The actions of the page beyond those of a figure: opening data, and assigning areas and colors by columns. */
 export class PageActions extends EditorActions {
   /** Names in links are limited like circles in links. */
@@ -45,8 +49,8 @@ export class PageActions extends EditorActions {
   readonly photos = new WeakMap<Attributes, Photo>()
   /** The attributes of the current colors. */
   #attributes: Attributes | undefined
-  /** Whether the circles are those of a photo, with layers of their own. */
-  #isMosaic = false
+  /** The layers that the last photo replaced. */
+  #beforeMosaic: Partial<Layers> = { fullColor: false, circles: true, edges: true, vertices: true }
 
   constructor(
     store: Store<State>,
@@ -185,11 +189,13 @@ export class PageActions extends EditorActions {
     if (column !== undefined && isOther) this.colorBy(column.name)
   }
 
-  /** Shows the circles of a photo as a mosaic, and others as usual. */
+  /** Shows the circles of a photo as a mosaic, and others with the layers from before. */
   #showMosaic(isPhoto: boolean): void {
-    if (isPhoto === this.#isMosaic) return
-    this.#isMosaic = isPhoto
-    this.setLayers({ fullColor: isPhoto, circles: !isPhoto, edges: !isPhoto, vertices: !isPhoto })
+    const { fullColor, circles, edges, vertices } = this.view.layers
+    const isMosaic = fullColor && !circles && !edges && !vertices
+    if (isPhoto === isMosaic) return
+    if (isPhoto) this.#beforeMosaic = { fullColor, circles, edges, vertices }
+    this.setLayers(isPhoto ? MOSAIC : this.#beforeMosaic)
   }
 
   /** Opens circles made from a photo, clipped to its frame. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Point } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
-import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
+import { boundingBox, type Camera, fitted, type Padding, panned, toPlane, toScreen, zoomed } from '../view/camera.ts'
 import { boxOf } from '../view/domain.ts'
 import type { View } from '../view/view.ts'
 import type { Editing } from './editing.ts'
@@ -33,6 +33,15 @@ export class CameraActions {
   /** The parts of the picture that panels cover. */
   get paddingNow(): Padding {
     return this.padding()
+  }
+
+  /** The part of the plane that no panel covers. */
+  get uncovered(): Box {
+    const { camera, size } = this.view
+    const { top, right, bottom, left } = this.paddingNow
+    const low = toPlane(camera, size, { x: left, y: size.height - bottom })
+    const high = toPlane(camera, size, { x: size.width - right, y: top })
+    return { minX: low.x, minY: low.y, maxX: high.x, maxY: high.y }
   }
 
   /** Whether the viewport shows all circles as large as possible. */

@@ -2,9 +2,10 @@
 import { COORDINATE_LIMIT, SMALLEST_INPUT } from '../lib/base/coordinate-limits.ts'
 import type { Edit, Point } from '../lib/index.ts'
 import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
-import { boundingBox, toPlane } from '../view/camera.ts'
+import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
+import { HANDLE_RADIUS } from '../view/overlay.ts'
 import { NO_ATTRIBUTES } from './attributes.ts'
 import { isSameCamera } from './camera-actions.ts'
 import type { CircleSet } from './history.ts'
@@ -13,6 +14,8 @@ import { SelectionActions } from './selection-actions.ts'
 
 /** Initial length of a path, relative to the width that no panel covers. */
 const PATH_SHARE = 0.6
+/** The rows where an end of a path is tried, relative to the height that no panel covers. */
+const PATH_ROWS = [0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3]
 
 /** Whether the numbers are in the range of `compute`. */
 function isInRange(circles: Float64Array): boolean {
@@ -148,13 +151,16 @@ export class OpeningActions extends SelectionActions {
     this.view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
   }
 
-  /** A path across the part of the plane that no panel covers. */
+  /** A path across the part of the plane that no panel covers, with its ends outside of circles. */
   pathAcross(): NonNullable<Layers['path']> {
-    const { camera, size } = this.view
-    const { top, right, bottom, left } = this.paddingNow
-    const y = (top + size.height - bottom) / 2
-    const margin = ((1 - PATH_SHARE) / 2) * (size.width - left - right)
-    const [from, to] = [left + margin, size.width - right - margin].map((x) => toPlane(camera, size, { x, y }))
-    return { from: from as Point, to: to as Point }
+    const { minX, minY, maxX, maxY } = this.uncovered
+    const margin = ((1 - PATH_SHARE) / 2) * (maxX - minX)
+    const slack = HANDLE_RADIUS / this.view.camera.scale
+    const endAt = (x: number): Point => {
+      const places = PATH_ROWS.map((row) => ({ x, y: (minY + maxY) / 2 + row * (maxY - minY) }))
+      const isFree = (place: Point) => [undefined, 'cell'].includes(this.view.hitAt(place, slack)?.part)
+      return places.find(isFree) ?? (places[0] as Point)
+    }
+    return { from: endAt(minX + margin), to: endAt(maxX - margin) }
   }
 }

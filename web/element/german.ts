@@ -64,7 +64,7 @@ const GOALS: GoalWords = {
   },
   yes: 'ja',
   no: 'nein',
-  is: (name, now, goal) => `${name} jetzt ${now}, Ziel ${goal}`,
+  is: (name, now, goal) => `${name}: jetzt ${now}, Ziel ${goal}`,
   atLeast: (least) => `mindestens ${least}`,
   atMost: (most) => `höchstens ${most}`,
   between: (least, most) => `${least} bis ${most}`,

@@ -134,7 +134,7 @@ export const ENGLISH_GOALS: GoalWords = {
   },
   yes: 'yes',
   no: 'no',
-  is: (name, now, goal) => `${name} now ${now}, goal ${goal}`,
+  is: (name, now, goal) => `${name}: now ${now}, goal ${goal}`,
   atLeast: (least) => `at least ${least}`,
   atMost: (most) => `at most ${most}`,
   between: (least, most) => `${least} to ${most}`,

@@ -31,8 +31,6 @@ export interface Hit {
   readonly inReach?: number
 }
 
-/** The index is built again once more circles than this have changed. */
-const MOST_CHANGED = 64
 const IMAGES = [-1, 0, 1].flatMap((k) => [-1, 0, 1].map((l) => [k, l] as const))
 /** Number of circles from which the core is estimated. */
 const CORE_SAMPLE = 1000
@@ -48,7 +46,7 @@ export class CircleTable {
   #box: Box | undefined
   #core: Box | undefined
   /** The index of cells, and the circles that have changed since it was built. */
-  #index: { readonly cells: CellIndex; readonly changed: Set<number> } | undefined
+  #index: { readonly cells: CellIndex; readonly changed: Set<number>; moved: CellIndex | undefined } | undefined
 
   /** Without `kept`, circle i of `circles` (x, y and r each) gets id i, and the array is not copied. */
   constructor(circles: Float64s, opening = 0, kept?: KeptIds) {
@@ -102,7 +100,10 @@ export class CircleTable {
   follow({ inserted, removed, replaced, circles }: CircleChange): Edit[] {
     this.#box = undefined
     this.#core = undefined
-    for (const ids of [inserted, removed, replaced]) for (const id of ids) this.#index?.changed.add(id)
+    if (this.#index !== undefined) {
+      for (const ids of [inserted, removed, replaced]) for (const id of ids) this.#index.changed.add(id)
+      this.#index.moved = undefined
+    }
     const back: Edit[] = []
     const newCircle = (k: number): Circle => ({
       x: at(circles, 3 * k),
@@ -253,11 +254,15 @@ export class CircleTable {
   }
 
   #closerTo(point: Point, distance: number, except: number | undefined): number | undefined {
-    if (this.#index === undefined || this.#index.changed.size > MOST_CHANGED) {
-      this.#index = { cells: new CellIndex(this.#numbers, this.ids()), changed: new Set() }
+    if (this.#index === undefined || 2 * this.#index.changed.size > this.#count) {
+      this.#index = { cells: new CellIndex(this.#numbers, this.ids()), changed: new Set(), moved: undefined }
     }
-    const { cells, changed } = this.#index
-    for (const id of changed) if (id !== except && this.distanceTo(id, point) < distance) return id
+    const index = this.#index
+    const { cells, changed } = index
+    const isThere = (id: number) => this.#isThere[id] === 1
+    index.moved ??= new CellIndex(this.#numbers, Int32Array.from([...changed].filter(isThere)))
+    const moved = index.moved.closerTo(point, distance, (id) => id === except)
+    if (moved !== NONE) return moved
     const closer = cells.closerTo(point, distance, (id) => id === except || changed.has(id))
     return closer === NONE ? undefined : closer
   }

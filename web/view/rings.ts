@@ -83,10 +83,10 @@ export class Rings {
   }
 
   #place(): void {
-    const { camera, size, circles } = this.#view
+    const { camera, size } = this.#view
     for (const { id } of this.#rings) {
       const { ring, label } = this.#drawn.get(id) as { ring: SVGCircleElement; label: HTMLElement }
-      const circle = circles.get(id)
+      const circle = this.#view.discOf(id)
       const isHidden = circle === undefined
       ring.classList.toggle('gone', isHidden)
       label.classList.toggle('gone', isHidden)

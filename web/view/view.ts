@@ -224,6 +224,12 @@ export class View {
     return this.#scene.ask(name, ...args)
   }
 
+  /** The disc of a circle as it is drawn: a point if radii are weights. */
+  discOf(id: number): Circle | undefined {
+    const circle = this.circles.get(id)
+    return circle && (this.#scene.domain.areSites === true ? { ...circle, r: 0 } : circle)
+  }
+
   /** The circle at a point of the plane (`CircleTable.hitAt`). */
   hitAt(point: Point, slack: number, reach?: number): Hit | undefined {
     return this.#scene.hitAt(point, slack, reach)

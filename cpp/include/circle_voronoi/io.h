@@ -167,6 +167,7 @@ CIRCLE_VORONOI_API Result<void> writePeriodicJson(std::ostream& out, const Perio
 struct DiagramFile {
   Diagram diagram = {};
   CircleAttributes attributes = {};
+  bool isPeriodic = false;  ///< whether the circles include images, as those of a periodic diagram
 };
 
 /// Writes a diagram like `writeJson`, and attributes of its circles: a circle has the members `id`, `z` and

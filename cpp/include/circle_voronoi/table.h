@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,6 +36,9 @@ struct Table {
 /// `name` is what errors call the text. Errors: badInput; messages start with `name:line:`.
 CIRCLE_VORONOI_API Result<Table> readTable(std::string_view text, std::string_view name,
                                            std::span<const std::string> columns);
+
+/// Returns the finite number of a value; nothing if the value is not one. It may be a number in quotation marks.
+CIRCLE_VORONOI_API std::optional<double> numberOf(std::string_view value);
 
 // The functions below write a table. All columns have the same number of rows. `polygons` has the polygons of each row.
 //

@@ -52,6 +52,28 @@ def column(data: Any, count: int | None, name: str) -> Floats:
     return _doubles(array.reshape(-1, 1), [name])[:, 0] if len(array) > 0 else np.empty(0)
 
 
+def rows_from(
+    data: Any, first: Any, second: Any, r: Any, names: Sequence[str], call: str, radius: float | None = None
+) -> Floats:
+    """Return rows of three numbers: those of `data`, points with `r`, or columns. `radius` is the default of `r`."""
+    if data is None and first is not None:
+        if second is None:
+            raise CircleVoronoiError(f"{names[0]} needs {names[1]}, an array of the same length.")
+        data, first = first, None
+    if first is not None:
+        columns = ", ".join(f"{name}={name}" for name in names)
+        sentence = f"{names[0]} names a column of a table; pass arrays as {call}({columns})."
+        raise CircleVoronoiError(sentence, "badOption")
+    if second is not None:
+        head = column(data, None, names[0])
+        radii = column(radius if r is None else r, len(head), names[2])
+        return np.column_stack([head, column(second, len(head), names[1]), radii])
+    if r is not None:
+        points = matrix(data, names[:2], "places" if names[0] == "lon" else "points")
+        return np.column_stack([points, column(r, len(points), names[2])])
+    return matrix(data, names, "circles")
+
+
 def finite_points(data: Any, name: str) -> Floats:
     """Return points as an array of shape (n, 2) without NaN and infinity."""
     points = matrix(data, ("x", "y"), name)

@@ -29,6 +29,7 @@ from ._arguments import (
     optional_number,
     point,
     positive,
+    rows_from,
     whole,
 )
 from ._errors import CircleVoronoiError
@@ -530,7 +531,7 @@ class Diagram:
         digits : int, optional
             The largest number of digits after the decimal point.
         attributes : DataFrame with n rows, or sequence of n mappings, optional
-            More members for the circles of json, or properties for the features of GeoJSON. NaN and other missing values
+            More members for the circles of json, columns of cells, or properties for the features of GeoJSON. NaN and other missing values
             become null, and times become ISO 8601 texts. A geometry column is left out.
 
         Returns
@@ -909,22 +910,7 @@ def _columns(
 
 def circles_from(circles: Any, x: Any, y: Any, r: Any) -> Floats:
     """Return the circles of the arguments of `compute`."""
-    if is_frame(circles):
-        return circles_of(circles, x, y, r)
-    if circles is None and x is not None:
-        if y is None:
-            raise CircleVoronoiError("x needs y, an array of the same length.")
-        circles, x = x, None
-    if x is not None:
-        raise CircleVoronoiError("x names a column of a table; pass arrays as compute(x=x, y=y, r=r).", "badOption")
-    if y is not None:
-        first = column(circles, None, "x")
-        radii = column(r, len(first), "r")
-        return np.column_stack([first, column(y, len(first), "y"), radii])
-    if r is not None:
-        points = matrix(circles, ("x", "y"), "points")
-        return np.column_stack([points, column(r, len(points), "r")])
-    return matrix(circles, _XYR, "circles")
+    return circles_of(circles, x, y, r) if is_frame(circles) else rows_from(circles, x, y, r, _XYR, "compute")
 
 
 def _members(attributes: Any, row: int) -> str:

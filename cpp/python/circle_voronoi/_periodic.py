@@ -193,7 +193,9 @@ def compute_periodic(
         They may lie anywhere, overlap, and be larger than the box.
     a, b : array_like, shape (2,)
         The periods: the sides of the box, which is any parallelogram.
-    x, y, r, metric, weights, threads : optional
+    x, y : str, optional
+        The columns of a table.
+    r, metric, weights, threads : optional
         See `compute`.
 
     Returns

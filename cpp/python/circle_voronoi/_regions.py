@@ -141,9 +141,14 @@ def _text_of(shape: str | PathLike[str]) -> tuple[bytes, str]:
 
 
 def _crs_in(text: bytes) -> Any:
-    """Return the crs that GeoJSON names, if any. The text has been read as a region."""
-    value = json.loads(text) if b'"crs"' in text else None
-    return _crs_named(value) if isinstance(value, Mapping) else None
+    """Return the crs that GeoJSON names, if any; GeoJSON lines name none. The text has been read as a region."""
+    if b'"crs"' not in text:
+        return None
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return _crs_named(value)
 
 
 def _crs_named(shape: Mapping[str, Any]) -> Any:
@@ -154,7 +159,7 @@ def _crs_named(shape: Mapping[str, Any]) -> Any:
     try:
         from pyproj import CRS
         from pyproj.exceptions import CRSError
-    except ImportError:  # Without it no circles have a crs.
+    except ImportError:  # Without pyproj, no circles have a crs.
         return None
     try:
         return CRS.from_user_input(member["properties"]["name"])

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _core
-from ._arguments import Floats, Indices, column, finite_points, index, matrix, optional_number, positive, whole
+from ._arguments import Floats, Indices, column, finite_points, index, optional_number, positive, rows_from, whole
 from ._errors import CircleVoronoiError
 from ._frames import caps_of, is_frame
 from ._polygons import nested, shapes_of
@@ -202,20 +202,7 @@ def compute_sphere(
 def _caps(circles: Any, lat: Any, r: Any, lon: Any) -> Floats:
     if is_frame(circles):
         return caps_of(circles, lat, r, lon)
-    if circles is None and lon is not None:
-        if lat is None:
-            raise CircleVoronoiError("lon needs lat, an array of the same length.")
-        circles, lon = lon, None
-    if lon is not None:
-        sentence = "lon names a column of a table; pass arrays as compute_sphere(lon=lon, lat=lat, r=r)."
-        raise CircleVoronoiError(sentence, "badOption")
-    if lat is not None:
-        places = _columns(circles, lat)
-        return np.column_stack([places, column(0.0 if r is None else r, len(places), "r")])
-    if r is not None:
-        places = matrix(circles, ("lon", "lat"), "places")
-        return np.column_stack([places, column(r, len(places), "r")])
-    return matrix(circles, ("lon", "lat", "r"), "circles")
+    return rows_from(circles, lon, lat, r, ("lon", "lat", "r"), "compute_sphere", 0.0)
 
 
 def _columns(lon: Any, lat: Any) -> Floats:

@@ -145,3 +145,11 @@ def test_rows_without_a_geometry_are_no_region(nothing):
         cv.Region(series)
     assert caught.value.circle == 1
     assert cv.Region(series[:1]).area == ROOM.area
+
+
+def test_lines_with_a_property_crs_name_no_reference_system():
+    ring = [[0, 0], [4, 0], [4, 4], [0, 0]]
+    feature = {"type": "Feature", "properties": {"crs": 1}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+    other = {**feature, "geometry": {"type": "Polygon", "coordinates": [[[9, 9], [9, 8], [8, 8], [9, 9]]]}}
+    region = cv.Region(json.dumps(feature) + "\n" + json.dumps(other))
+    assert region.crs is None

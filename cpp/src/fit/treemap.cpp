@@ -14,6 +14,7 @@
 #include "guarded.h"
 #include "named_option.h"
 #include "number_text.h"
+#include "polygons_of_row.h"
 
 namespace circle_voronoi {
 namespace {
@@ -73,27 +74,13 @@ class Tree {
 
 using Polygons = std::vector<std::vector<Region::Ring>>;
 
-Polygons polygonsOf(const ClippedPolygons& all, std::size_t row) {
-  Polygons polygons;
-  const auto at = [](const std::vector<std::int32_t>& offsets, std::size_t k) {
-    return static_cast<std::size_t>(offsets[k]);
-  };
-  for (std::size_t p = at(all.polygonOffsets, row); p < at(all.polygonOffsets, row + 1); ++p) {
-    auto& rings = polygons.emplace_back();
-    for (std::size_t r = at(all.ringOffsets, p); r < at(all.ringOffsets, p + 1); ++r) {
-      rings.emplace_back(all.points.begin() + all.pointOffsets[r], all.points.begin() + all.pointOffsets[r + 1]);
-    }
-  }
-  return polygons;
-}
-
 Polygons polygonsOf(const Region& region) {
   ClippedPolygons whole;
   whole.polygonOffsets = {0, static_cast<std::int32_t>(region.polygonCount())};
   whole.ringOffsets.assign(region.polygonOffsets().begin(), region.polygonOffsets().end());
   whole.pointOffsets.assign(region.ringOffsets().begin(), region.ringOffsets().end());
   whole.points.assign(region.points().begin(), region.points().end());
-  return polygonsOf(whole, 0);
+  return polygonsOfRow(whole, 0);
 }
 
 void append(const Polygons& polygons, ClippedPolygons& all) {
@@ -184,7 +171,7 @@ class TreemapMaker {
       const std::size_t child = children[k];
       map_.sites[child] = fit->diagram.circles[k];
       map_.areas[child] = fit->areas[k];
-      polygons_[child] = polygonsOf(polygons, k);
+      polygons_[child] = polygonsOfRow(polygons, k);
       if (!tree_.isDivided(child)) continue;
       auto its = Region::fromPolygons(polygons_[child]);
       if (!its) refuseNode(child, its.error());
@@ -194,8 +181,8 @@ class TreemapMaker {
 
   [[noreturn]] static void refuseNode(std::size_t node, Error error) {
     error.circle = static_cast<std::int64_t>(node);
-    error.message = "The cell of node " + std::to_string(node) + " cannot be divided: " + error.message;
-    throw ThrownError{std::move(error)};
+    throw ThrownError{
+        withPrefix(std::move(error), "The cell of node " + std::to_string(node) + " cannot be divided: ")};
   }
 
   /// Sites in the middle of parts of the right areas, with the weights of discs as large.

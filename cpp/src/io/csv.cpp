@@ -306,7 +306,7 @@ std::string separatorsOf(std::string_view text) {
   if (named == 0) return std::string(kSeparators);
   if (kSeparators.find(named) != kSeparators.npos) return {named};
   throw ReadError{begin, std::string("sep=") + named +
-                             " names no separator; these are commas, semicolons, tabs, vertical bars and spaces."};
+                             " is not a separator; use commas, semicolons, tabs, vertical bars or spaces."};
 }
 
 /// Returns the layout that `layout` finds with the first record and the first separator for which there is one; nothing
@@ -560,7 +560,8 @@ Result<ParsedFile> readCsv(std::string_view text, std::string_view name, const R
   CsvRowReader rows(*layout, options);
   rows.read(text, result.parsed);
   if (keep == Keep::attributes) result.attributes = attributesOf(text, *layout, rows.decimalMark(), rows.skipped());
-  if (!rows.srid().empty()) result.crs = "EPSG:" + rows.srid();
+  // The SRID 0 says that the reference system is unknown.
+  if (rows.srid().find_first_not_of('0') != std::string::npos) result.crs = "EPSG:" + rows.srid();
   result.areDegrees = areDegrees(layout->names[0], layout->names[1]);
   result.skipped = rows.skipped();
   return result;

@@ -9,6 +9,8 @@
 namespace circle_voronoi {
 
 char separatorIn(std::string_view line) {
+  // Most lines end here.
+  if (!isSameName(line.substr(line.starts_with('"') ? 1 : 0, 4), "sep=")) return '\0';
   line = line.substr(0, line.find_first_of("\r\n"));
   const std::size_t end = line.find_last_not_of(' ');
   line = line.substr(0, end == line.npos ? 0 : end + 1);

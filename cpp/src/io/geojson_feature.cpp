@@ -31,18 +31,28 @@ void writePolygon(Writer& out, const std::vector<PointRing>& rings) {
 
 }  // namespace
 
+void writeMultiPolygon(Writer& out, const std::vector<std::vector<PointRing>>& polygons) {
+  out << "[";
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (i > 0) out << ",";
+    writePolygon(out, polygons[i]);
+  }
+  out << "]";
+}
+
 void writeGeometry(Writer& out, const std::vector<std::vector<PointRing>>& polygons) {
   if (polygons.empty()) {
     out << "null";
     return;
   }
   const bool isOne = polygons.size() == 1;
-  out << R"({"type":")" << (isOne ? "Polygon" : "MultiPolygon") << R"(","coordinates":)" << (isOne ? "" : "[");
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    if (i > 0) out << ",";
-    writePolygon(out, polygons[i]);
+  out << R"({"type":")" << (isOne ? "Polygon" : "MultiPolygon") << R"(","coordinates":)";
+  if (isOne) {
+    writePolygon(out, polygons[0]);
+  } else {
+    writeMultiPolygon(out, polygons);
   }
-  out << (isOne ? "}" : "]}");
+  out << "}";
 }
 
 void writeAttributes(Writer& out, const CircleAttributes& attributes, std::size_t circle) {

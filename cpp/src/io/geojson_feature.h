@@ -10,6 +10,9 @@
 
 namespace circle_voronoi {
 
+/// Writes the coordinates of a MultiPolygon. Rings are written closed.
+void writeMultiPolygon(Writer& out, const std::vector<std::vector<PointRing>>& polygons);
+
 /// Writes a Polygon, a MultiPolygon, or null without polygons. Rings are written closed.
 void writeGeometry(Writer& out, const std::vector<std::vector<PointRing>>& polygons);
 

@@ -17,7 +17,7 @@ Result<CircleFile> readFile(std::string_view text, std::string_view name, const 
     const auto content = contentOf(text, name);
     if (!content) return content.error();
     const std::string_view rest = content.value();
-    const char begin = rest[rest.find_first_not_of(" \t\r\n\x1E")];
+    const char begin = firstOf(rest);
     auto read = begin == '['   ? readJson(rest, name, options, keep)
                 : begin == '{' ? readGeoJson(rest, name, options, keep)
                                : readCsv(rest, name, options, keep);

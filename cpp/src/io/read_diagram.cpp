@@ -100,6 +100,7 @@ class DiagramReader {
 
   Diagram diagram;
   CircleAttributes attributes;
+  bool isPeriodic = false;
   std::vector<std::size_t> circleOffsets;  ///< where each circle ends in the text
 
  private:
@@ -129,6 +130,9 @@ class DiagramReader {
       diagram.weights = reader_.boolean();
     } else if (key == "stats") {
       diagram.stats = readStats(reader_);
+    } else if (key == "lattice") {
+      isPeriodic = true;
+      reader_.skip();
     } else if (key == "collection" && keep_ == Keep::attributes) {
       attributes.collection.clear();
       if (reader_.kind() != JsonKind::object) return reader_.skip();
@@ -292,7 +296,7 @@ Result<DiagramFile> readKept(std::string_view text, std::string_view name, Keep 
     const bool haveAreas = isArea(reader.diagram.weights, reader.diagram.metric);
     for (Circle& c : reader.diagram.circles) c = haveAreas ? roundedWithArea(c) : rounded(c);
     linkSides(reader.diagram);
-    return DiagramFile{std::move(reader.diagram), std::move(reader.attributes)};
+    return DiagramFile{std::move(reader.diagram), std::move(reader.attributes), reader.isPeriodic};
   });
 }
 

@@ -199,7 +199,7 @@ class WktPolygonReader {
 };
 
 Polygons readPolygons(std::string_view text) {
-  if (text[text.find_first_not_of(" \t\r\n\x1E")] != '{') return WktPolygonReader(text).read();
+  if (firstOf(text) != '{') return WktPolygonReader(text).read();
   Polygons polygons;
   JsonReader reader(text);
   while (reader.hasMore()) readGeoJsonObject(reader, polygons);

@@ -69,7 +69,7 @@ ParsedRows readFeatures(JsonReader& reader, std::string_view text) {
 }
 
 ParsedRows readRows(std::string_view text, std::span<const std::string> columns) {
-  const char begin = text[text.find_first_not_of(" \t\r\n")];
+  const char begin = firstOf(text);
   if (begin != '[' && begin != '{') return readCsvRows(text, columns);
   JsonReader reader(text);
   ParsedRows rows = begin == '[' ? readObjects(reader, text) : readFeatures(reader, text);

@@ -30,7 +30,7 @@ std::string placeOf(std::string_view name, std::string_view text, std::size_t of
 Result<std::string_view> contentOf(std::string_view text, std::string_view name) {
   if (isUtf16(text)) return errorAt(name, text, 0, "the text is UTF-16; save it as UTF-8.");
   text = withoutByteOrderMark(text);
-  if (text.find_first_not_of(" \t\r\n") == text.npos) return errorAt(name, text, 0, "the text is empty.");
+  if (text.find_first_not_of(kBlank) == text.npos) return errorAt(name, text, 0, "the text is empty.");
   return text;
 }
 

@@ -23,6 +23,12 @@ struct ParsedCircles {
   std::vector<std::uint8_t> done;  ///< whether each circle of a tile is done
 };
 
+/// White space around a text; the last one begins a record (RFC 8142).
+inline constexpr std::string_view kBlank = " \t\r\n\x1E";
+
+/// Returns the first character of a text that `contentOf` returns.
+inline char firstOf(std::string_view content) { return content[content.find_first_not_of(kBlank)]; }
+
 /// The reason why reading ends, and its place in the text. The readers throw it, and their public functions turn it
 /// into an Error.
 struct ReadError {

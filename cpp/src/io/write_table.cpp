@@ -11,6 +11,7 @@
 #include "guarded.h"
 #include "json_reader.h"
 #include "members.h"
+#include "polygons_of_row.h"
 #include "utf8.h"
 #include "valid_polygons.h"
 #include "writer.h"
@@ -30,20 +31,6 @@ void checkTable(std::span<const Column> columns, const ClippedPolygons* polygons
     if (column.values.size() != rows) refuse("The column " + column.name + " has another number of rows.");
     if (!std::ranges::all_of(column.values, isJsonLine)) refuse("A value of " + column.name + " is not JSON.");
   }
-}
-
-std::vector<std::vector<PointRing>> polygonsOfRow(const ClippedPolygons& all, std::size_t row) {
-  const auto at = [](const std::vector<std::int32_t>& offsets, std::size_t k) {
-    return static_cast<std::size_t>(offsets[k]);
-  };
-  std::vector<std::vector<PointRing>> polygons;
-  for (std::size_t p = at(all.polygonOffsets, row); p < at(all.polygonOffsets, row + 1); ++p) {
-    auto& rings = polygons.emplace_back();
-    for (std::size_t r = at(all.ringOffsets, p); r < at(all.ringOffsets, p + 1); ++r) {
-      rings.emplace_back(all.points.begin() + all.pointOffsets[r], all.points.begin() + all.pointOffsets[r + 1]);
-    }
-  }
-  return polygons;
 }
 
 void writeRowMembers(Writer& out, std::span<const Column> columns, std::size_t row) {
@@ -66,28 +53,7 @@ void writeTableFeatures(Writer& out, std::span<const Column> columns, const Clip
   }
 }
 
-/// Writes the coordinates of a MultiPolygon.
-void writeMultiPolygon(Writer& out, const std::vector<std::vector<PointRing>>& polygons) {
-  const auto writeList = [&](const auto& list, auto item) {
-    out << "[";
-    std::string_view comma;
-    for (const auto& its : list) {
-      out << comma;
-      item(its);
-      comma = ",";
-    }
-    out << "]";
-  };
-  const auto writePosition = [&](Point p) { out << "[" << p.x << "," << p.y << "]"; };
-  writeList(polygons, [&](const auto& rings) {
-    writeList(rings, [&](PointRing ring) {
-      ring.push_back(ring.front());
-      writeList(ring, writePosition);
-    });
-  });
-}
-
-/// Returns text that XML reads as the same text, on one line.
+/// Returns a printable line for XML, cut if it is long.
 std::string xmlText(std::string_view text) {
   std::string result;
   for (const char c : printable(std::string(text))) {
@@ -201,8 +167,9 @@ Result<void> writeTableSvg(std::ostream& stream, std::span<const Column> columns
         out << "<g class=\"level-" << std::int32_t{level} << R"(" fill=")" << (level == deepest ? "#f6f4ee" : "none")
             << R"(" stroke-width=")" << (1 + kWider * (deepest - level)) * unit << "\">\n";
         for (std::size_t row = 0; row < levels.size(); ++row) {
+          if (levels[row] != level) continue;
           const auto cell = polygonsOfRow(polygons, row);
-          if (levels[row] != level || cell.empty()) continue;
+          if (cell.empty()) continue;
           out << "<path d=\"";
           writeCellPath(out, cell);
           out << "\"><title>" << xmlText(titleOf(columns, row)) << "</title></path>\n";

@@ -198,9 +198,14 @@ function tableOf(records: readonly TableRecord[], separator: Separator): Table |
   }
 }
 
-/** Whether a column is called like ids, has zeros in front of numbers, or counts the rows. */
+/**
+ * Whether a column is called like ids, has zeros in front of numbers, or counts the rows. A column that is called like a
+ * coordinate or a radius has no ids.
+ */
 function areIds(name: string, rows: readonly (readonly string[])[], column: number): boolean {
   if (NAMES.id.test(normalName(name))) return true
+  const { name: plain } = nameAndUnit(name)
+  if ([NAMES.x, NAMES.y, ...KINDS.map((kind) => NAMES[kind])].some((pattern) => pattern.test(plain))) return false
   if (rows.some((row) => /^0\d/.test(row[column] ?? ''))) return true
   const first = Number(rows[0]?.[column])
   const isCounted = rows.every((row, k) => row[column] === String(first + k))

@@ -9,7 +9,7 @@ import type { Store } from '../../editing/store.ts'
 import { idsOf, withIds } from '../../element/check.ts'
 import { goalRings, goalsOf } from '../../element/goals.ts'
 import { loadWords, wordsOf } from '../../element/language.ts'
-import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
+import { type Circle, CircleVoronoiError, circleAt } from '../../lib/index.ts'
 import type { LinkFrame, LinkInput } from '../../lib/link.ts'
 import { plainRegion } from '../../lib/regions/region-shape.ts'
 import { fitted, toPlane } from '../../view/camera.ts'
@@ -52,7 +52,7 @@ const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string
   cells: ['-cells.geojson', 'application/geo+json'],
 }
 
-const WEIGHTS = 'The file has the weights that give the cells their areas, not the radii from before.'
+const WEIGHTS = 'The file has weights, not the original radii. The weights give the cells their areas.'
 
 /** The part that a picture shows: the window's contents, or all circles. */
 export type Part = 'seen' | 'all'
@@ -123,10 +123,11 @@ export class FileActions {
     file?: string,
     merges = this.mergesPolygons,
   ): Promise<HowOpened> {
-    const how = await this.#openRead(async () => {
-      const circles = await this.#read(new Uint8Array(await load()), name, { polygons })
-      return { ...circles, region: plainRegion(read(), merges) }
-    }, file)
+    const how = await this.#openRead(
+      async () => this.#read(new Uint8Array(await load()), name, { polygons }),
+      file,
+      (circles) => ({ ...circles, region: plainRegion(read(), merges) }),
+    )
     if (how === 'refused' && this.#store.get().problem.includes('`dissolve`')) {
       this.#offerToMerge(name, () => this.#openWithRegion(load, name, { read, polygons }, file, true))
     }
@@ -141,12 +142,19 @@ export class FileActions {
       toast(`${first.name} was opened alone. Open the other files one at a time.`)
   }
 
-  /** Opens circles once they are read. If some rows are invalid, the error offers to skip them. */
-  async #openRead(read: () => Promise<Read>, file?: string): Promise<HowOpened> {
+  /**
+   * Opens circles once they are read and `finish` has added what comes with them. If some rows are invalid, the error
+   * offers to skip them.
+   */
+  async #openRead(
+    read: () => Promise<Read>,
+    file?: string,
+    finish = (circles: Read): Read => circles,
+  ): Promise<HowOpened> {
     let invalid: InvalidRows | undefined
     const how = await this.#actions.openRead(
       () =>
-        read().catch((error) => {
+        read().then(finish, (error) => {
           if (error instanceof InvalidRows) invalid = error
           throw error
         }),
@@ -154,7 +162,7 @@ export class FileActions {
     )
     if (how === 'refused' && invalid !== undefined) {
       const { skipping } = invalid
-      this.#offerToSkip(invalid, () => this.#actions.openRead(skipping, file))
+      this.#offerToSkip(invalid, () => this.#actions.openRead(() => skipping().then(finish), file))
     }
     return how
   }
@@ -418,7 +426,7 @@ export class FileActions {
         task,
         key,
         shot,
-        circles: circles.circles(),
+        discs: Array.from(circles.ids(), (id) => this.#view.discOf(id) as Circle),
         // Circles are numbered as in the frame.
         marks: rings.map(({ id, text }) => ({ index: circles.countBelow(id), text })),
         address: addressOf(`embed.html#${link}`),

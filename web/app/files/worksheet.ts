@@ -44,7 +44,7 @@ export interface Worksheet {
   readonly key: string
   /** The part of the plane of both pictures. */
   readonly shot: ExportView
-  readonly circles: Float64Array
+  readonly discs: readonly Circle[]
   /** The circles of the check, by their indices, with their values. */
   readonly marks: readonly { readonly index: number; readonly text: string }[]
   /** The address where the question is answered. */
@@ -57,7 +57,7 @@ export interface Worksheet {
  */
 export function printWorksheet(
   place: HTMLElement,
-  { frame, task, key, shot, circles, marks, address }: Worksheet,
+  { frame, task, key, shot, discs, marks, address }: Worksheet,
 ): Promise<void> {
   const words = WORDS[frame.lang === 'de' ? 'de' : 'en']
   const text = (name: string, content: string) => Object.assign(document.createElement(name), { textContent: content })
@@ -84,12 +84,12 @@ export function printWorksheet(
   if (code !== undefined) where.append(text('code', address))
   foot.append(...(code === undefined ? [] : [code]), where)
   const { width, height } = shot.size
-  const blank = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">${outlines(circles, shot)}${marked(circles, shot, marks, false)}</svg>`
+  const blank = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">${outlines(discs, shot)}${marked(discs, shot, marks, false)}</svg>`
   place.replaceChildren(
     page(head, text('h1', title), tasks, picture(blank), foot),
     page(
       text('h1', title === '' ? words.key : `${words.key}: ${title}`),
-      picture(key.replace(/<\/svg>\s*$/, `${marked(circles, shot, marks, true)}</svg>`)),
+      picture(key.replace(/<\/svg>\s*$/, `${marked(discs, shot, marks, true)}</svg>`)),
       tasks.cloneNode(true),
     ),
   )
@@ -109,20 +109,21 @@ export function printWorksheet(
   })
 }
 
-/** The circles with their centers. */
-function outlines(circles: Float64Array, shot: ExportView): string {
-  return Array.from({ length: circles.length / 3 }, (_, i) => {
-    const { x, y, r } = onSheet(circles, shot, i)
+/** The discs with their centers. */
+function outlines(discs: readonly Circle[], shot: ExportView): string {
+  const drawn = discs.map((disc) => {
+    const { x, y, r } = onSheet(disc, shot)
     return `<circle cx="${x}" cy="${y}" r="${r}" fill="#eeeeee" stroke="#000000" stroke-width="2"/><circle cx="${x}" cy="${y}" r="2.5"/>`
-  }).join('')
+  })
+  return drawn.join('')
 }
 
 /** The rings and numbers of the circles that the task names. */
-function marked(circles: Float64Array, shot: ExportView, marks: Worksheet['marks'], hasValues: boolean): string {
+function marked(discs: readonly Circle[], shot: ExportView, marks: Worksheet['marks'], hasValues: boolean): string {
   return marks
-    .filter(({ index }) => index < circles.length / 3)
+    .filter(({ index }) => index < discs.length)
     .map(({ index, text }) => {
-      const { x, y, r } = onSheet(circles, shot, index)
+      const { x, y, r } = onSheet(discs[index] as Circle, shot)
       const label = hasValues && text !== '' ? `${index}: ${text}` : `${index}`
       const below = y + r + RING + LETTER
       const at = below < shot.size.height ? below : y - r - 1.5 * RING
@@ -134,9 +135,8 @@ function marked(circles: Float64Array, shot: ExportView, marks: Worksheet['marks
     .join('')
 }
 
-/** Circle i in pixels of the picture. */
-function onSheet(circles: Float64Array, { camera, size }: ExportView, i: number): Circle {
-  const [x = 0, y = 0, r = 0] = circles.subarray(3 * i, 3 * i + 3)
+/** A disc in pixels of the picture. */
+function onSheet({ x, y, r }: Circle, { camera, size }: ExportView): Circle {
   const round = (value: number) => Number(value.toFixed(2))
   const place = toScreen(camera, size, { x, y })
   return { x: round(place.x), y: round(place.y), r: round(r * camera.scale) }

@@ -2,8 +2,6 @@
 
 import type { Editing } from '../../editing/editing.ts'
 import type { Box } from '../../lib/index.ts'
-import { toPlane } from '../../view/camera.ts'
-import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { type Movement, type MovementName, movementOf } from './movements.ts'
@@ -15,7 +13,6 @@ const LONGEST_STEP = 1 / 20
 
 /** Animates circles by editing them. The whole animation is one undo step, and any other edit ends it, also undo. */
 export class Motion {
-  readonly #view: View
   readonly #editing: Editing
   readonly #actions: PageActions
   #frame = 0
@@ -23,8 +20,7 @@ export class Motion {
   #gesture = 0
   readonly #listeners = new Set<() => void>()
 
-  constructor(view: View, editing: Editing, actions: PageActions) {
-    this.#view = view
+  constructor(editing: Editing, actions: PageActions) {
     this.#editing = editing
     this.#actions = actions
   }
@@ -111,15 +107,12 @@ export class Motion {
 
   /** The walls: the viewport if it contains all circles. */
   #room(box: Box): Box {
-    const { camera, size } = this.#view
-    const { top, right, bottom, left } = this.#actions.paddingNow
-    const low = toPlane(camera, size, { x: left, y: size.height - bottom })
-    const high = toPlane(camera, size, { x: size.width - right, y: top })
+    const { minX, minY, maxX, maxY } = this.#actions.uncovered
     return {
-      minX: Math.min(low.x, box.minX),
-      minY: Math.min(low.y, box.minY),
-      maxX: Math.max(high.x, box.maxX),
-      maxY: Math.max(high.y, box.maxY),
+      minX: Math.min(minX, box.minX),
+      minY: Math.min(minY, box.minY),
+      maxX: Math.max(maxX, box.maxX),
+      maxY: Math.max(maxY, box.maxY),
     }
   }
 }

@@ -2,15 +2,14 @@
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
-import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from '../panels/by-id.ts'
 import { showStop } from '../panels/stop.ts'
 import { Motion } from './motion.ts'
 
 /** Animations that are stopped by the button on the picture, by Escape, or when a method is played. */
-export function stoppableMotion(view: View, editing: Editing, actions: PageActions, store: Store<State>): Motion {
-  const motion = new Motion(view, editing, actions)
+export function stoppableMotion(editing: Editing, actions: PageActions, store: Store<State>): Motion {
+  const motion = new Motion(editing, actions)
   const tool = document.querySelector('[aria-controls="motion"]') as HTMLElement
   motion.onchange(() => {
     showStop(motion.isMoving)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render, svg } from 'lit/html.js'
 import { at } from '../../lib/base/diagram-data.ts'
+import { NewestQueue } from '../../lib/base/newest-queue.ts'
 import type { Float64s } from '../../lib/index.ts'
 import { short } from '../../view/short.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
@@ -55,6 +56,7 @@ export function chooseColumns(
     return wrong === undefined ? '' : `There are no numbers in column ${heading[wrong]}.`
   }
 
+  const queue = new NewestQueue<Float64s, Preview>()
   let turn = 0
   const change = (changed: Partial<ChosenColumns>) => {
     const before = chosen
@@ -72,18 +74,20 @@ export function chooseColumns(
     seen = undefined
     draw()
     if (circles.length === 0) return
-    const next = await preview(circles.slice()).catch((error: Error) => error)
+    const asked = queue.add(circles.slice(), 'preview').catch((error: Error) => error)
+    void queue.drain(preview)
+    const next = await asked
     if (now !== turn || !dialog.open) return
     seen = next
     draw()
   }
 
-  /** A sentence about circles that nobody will see, and rows that are no circles. */
+  /** Returns a sentence about hidden circles and invalid rows. */
   const told = (): string => {
     if (seen instanceof Error) return seen.message
     const count = circles.length / 3
     const left = rows.length - count
-    const wrong = left === 1 ? '1 row is no circle' : `${wholeNumber(left)} rows are no circles`
+    const wrong = left === 1 ? '1 row is not a circle' : `${wholeNumber(left)} rows are not circles`
     const rest = left === 0 || count === 0 ? '' : ` ${wrong}.`
     if (seen === undefined) return rest.trim()
     const { length } = seen.hidden
@@ -195,6 +199,8 @@ export function chooseColumns(
   dialog.showModal()
   return new Promise((resolve) => {
     const close = () => {
+      // A preview that arrives later is not one of the next table.
+      turn += 1
       // The next table starts with new controls.
       render(nothing, dialog)
       resolve(dialog.returnValue === 'open' ? named(table, chosen, all) : undefined)

@@ -153,8 +153,8 @@ export function mountGenerate(
   const photoTile = () => html`
     <li>
       <label class="button scene">
-        <span class="frame">${icon(PICTURE)}</span><b>A photo of yours</b><small>It becomes a mosaic, and stays on your device.</small>
-        <input type="file" class="visually-hidden" accept="image/*" aria-label="A photo of yours" @change=${choosePhoto} />
+        <span class="frame">${icon(PICTURE)}</span><b>Your photo</b><small>It becomes a mosaic, and stays on your device.</small>
+        <input type="file" class="visually-hidden" accept="image/*" aria-label="Your photo" @change=${choosePhoto} />
       </label>
     </li>
   `
@@ -178,7 +178,7 @@ export function mountGenerate(
         ${icon(DICE)}
       </button>
     </div>
-    <p id="about-seed" class="quiet">The same seed always gives the same circles; another seed gives others of the same kind.</p>
+    <p id="about-seed" class="quiet">The same seed always gives the same circles; another seed gives different circles of the same family.</p>
     ${catalogue === undefined ? html`<p class="quiet">${problem === '' ? 'Loading …' : problem}</p>` : list(catalogue)}
   `
 

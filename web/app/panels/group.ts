@@ -21,8 +21,9 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
   store.subscribe(({ selection }) => {
     panel.hidden = selection.length < 2
     if (panel.hidden) return
-    const colors = new Set(selection.map((id) => hexOf(actions.ownColorOf(id) ?? '')))
-    const color = colors.size === 1 ? [...colors][0] : undefined
+    const first = actions.ownColorOf(selection[0] as number)
+    const isOneColor = selection.every((id) => actions.ownColorOf(id) === first)
+    const color = isOneColor ? hexOf(first ?? '') : undefined
     render(
       html`
         <header>

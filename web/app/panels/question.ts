@@ -64,8 +64,6 @@ export class QuestionForm {
   #from: LinkFrame | undefined
   #facts: Facts | undefined
   #isOpen = false
-  /** Whether the form is visible: it is open, and so is its panel. */
-  #isShown = false
   /** The field that takes the next circle that is clicked. */
   #picking: { readonly label: string; readonly set: (id: number) => void } | undefined
   #rings: Rings | undefined
@@ -99,9 +97,9 @@ export class QuestionForm {
 
   /** Rings the circles of the conditions in the picture, as the frame does, while the form is visible. */
   ring(isPanelOpen: boolean): void {
-    this.#isShown = isPanelOpen && this.#isOpen
-    if (!this.#isShown) this.#picking = undefined
-    const check = this.#isShown ? this.#check : undefined
+    const isShown = isPanelOpen && this.#isOpen
+    if (!isShown) this.#picking = undefined
+    const check = isShown ? this.#check : undefined
     if (check !== undefined) this.#rings ??= new Rings(byId('figure', HTMLElement), this.#view)
     if (this.#facts === undefined) return
     this.#rings?.show(

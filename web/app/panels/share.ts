@@ -61,7 +61,7 @@ export function mountShare(
     panel.render(
       () => html`
         <div class="tiles">
-          ${tile(CHAIN, 'Link', 'Copy link', 'Opens exactly this, with your edits', () => copy(() => actions.copyLink(), 'The link'))}
+          ${tile(CHAIN, 'Link', 'Copy link', 'Opens this picture with your edits', () => copy(() => actions.copyLink(), 'The link'))}
           ${tile(PICTURE, 'Picture', 'Save a picture', 'A PNG of what you see now', () => actions.savePicture('seen', PICTURE_SCALE))}
           ${tile(
             FILM,

@@ -16,6 +16,7 @@ export function mountTooltips(): void {
     if (shown === undefined) return
     // A title that has changed meanwhile is newer.
     if (!shown.hasAttribute('title')) shown.title = title
+    shown.removeAttribute('aria-description')
     shown = undefined
     place.hidePopover()
   }
@@ -26,6 +27,8 @@ export function mountTooltips(): void {
     shown = icon
     title = icon.title
     icon.removeAttribute('title')
+    // The title described the icon to screen readers.
+    icon.setAttribute('aria-description', title)
     const [, text = '', key] = /^(.*?)(?: \(([^()]+)\))?$/.exec(title) ?? []
     const name = icon.ariaLabel ?? text
     render(

@@ -439,8 +439,8 @@ export class Diagram implements DiagramData {
 
   /**
    * Returns the area of cell `i`, exact up to rounding: infinity if the cell is unbounded, 0 if circle `i` is hidden.
-   * With `bounds`, a `region` or `maxDistance`, returns the area of the part inside. Throws `notCertified` if the outline
-   * does not close or encloses more than the bounds, because arrays were changed.
+   * With `bounds`, a `region` or `maxDistance`, returns the area of the part inside. With `bounds` or `maxDistance`, throws
+   * `notCertified` if the area is negative or larger than that of the bounds, because arrays were changed.
    */
   cellArea(i: number, options: BoundsOptions = {}): number {
     const measured = this.#measuredIn(i, 'cellArea', options)
@@ -476,7 +476,7 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Returns what `cellArea` returns for each cell. Throws `notCertified` if an area is negative or, inside bounds without
+   * Returns what `cellArea` returns for each cell. Inside bounds, throws `notCertified` if an area is negative or, without
    * a maximum distance, the areas do not sum to that of the bounds, up to rounding.
    */
   cellAreas(options: BoundsOptions = {}): Float64Array {

@@ -7,7 +7,7 @@ let isTold = false
 /**
  * Returns a sentence for the user if more than a quarter of the circles of a diagram are hidden, because radii in
  * another unit than the coordinates hide most circles; otherwise an empty text. `compute` prints the first such sentence
- * as a warning of the console.
+ * as a console warning.
  *
  * @category Diagrams
  * @example
@@ -17,8 +17,8 @@ export function hiddenWarning(diagram: DiagramData): string {
   checkData(diagram, 'hiddenWarning')
   const { metric, hidden, circles } = diagram
   const [few, all] = [hidden.length / 2, circles.length / 3]
-  // Circles without a power cell need not be hidden inside others.
-  if (metric === 'power' || 4 * few <= all) return ''
+  // By other metrics, circles without a cell need not be hidden inside others.
+  if (metric !== 'circles' || 4 * few <= all) return ''
   return `${few} of ${all} circles are hidden inside others and have no cell. Perhaps their radii have another unit than their coordinates, as meters and degrees do, or are diameters or another column.`
 }
 
