@@ -12,18 +12,11 @@ import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
 import { listenToMenu } from './input/menu-key.ts'
 import { markTabbing } from './input/tabbing.ts'
 import { LinkWriter } from './link-writer.ts'
-import { driftAtStart } from './motion/drift.ts'
 import { NOT_LOADED } from './not-loaded.ts'
 import { workOffline } from './offline.ts'
 import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
-import { mountGenerate } from './panels/generate.ts'
-import { mountGroup } from './panels/group.ts'
-import { mountIdentity } from './panels/identity.ts'
-import { mountInspector } from './panels/inspector.ts'
-import { mountInspectorFacts } from './panels/inspector-facts.ts'
-import { mountInspectorShare } from './panels/inspector-share.ts'
 import { mountLegend } from './panels/legend.ts'
 import { mountMethod } from './panels/method.ts'
 import { mountNames } from './panels/names.ts'
@@ -33,7 +26,6 @@ import { mountProgress } from './panels/progress.ts'
 import { mountSay } from './panels/say.ts'
 import { mountScale } from './panels/scale.ts'
 import { mountStatus } from './panels/status.ts'
-import { mountTable } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
@@ -67,7 +59,7 @@ const figure = new Figure(
   {
     actions: (store, editing, view) => new PageActions(store, editing, view, paddingOfPage, reader),
     keys: {
-      editNumbers: () => editNumbers(),
+      editNumbers: async () => (await cards().catch(() => complain(NOT_LOADED)))?.(),
       showHelp: () => showHelp(),
       drawKey: (key, step) => pen.key(key, step),
       drawRegion: () => actions.useTool('draw'),
@@ -95,9 +87,12 @@ const openFile = async (file: File) => {
   const opening = await fileActions().catch(() => complain(NOT_LOADED))
   await opening?.openFile(file)
 }
-const generate = mountGenerate(actions, files, openFile)
-store.subscribe(({ dataSet }) => generate.show(dataSet))
-mountToolbar(store, actions, generate.open)
+const gallery = loadedOnce(async () => {
+  const { mountGenerate } = await import('./panels/generate.ts')
+  return mountGenerate(store, actions, files, openFile)
+})
+panelLater('generate', complain, gallery)
+mountToolbar(store, actions, async () => (await gallery().catch(() => complain(NOT_LOADED)))?.())
 mountTrial(view, actions)
 mountViewControls(actions)
 mountStatus(store, view)
@@ -133,19 +128,23 @@ listenToClipboard(actions)
 listenToFiles(fileActions, complain)
 restoreInvalidNumbers(document)
 markTabbing()
-const editNumbers = mountInspector(store, actions)
-mountIdentity(store, editing, actions)
-mountInspectorFacts(store, editing, actions)
-mountInspectorShare(store, actions)
+const cards = loadedOnce(async () => {
+  const { mountSelectionCards } = await import('./panels/selection-cards.ts')
+  return mountSelectionCards(store, editing, actions)
+})
+let selected: readonly number[] = []
+store.subscribe(({ selection }) => {
+  if (selection === selected) return
+  selected = selection
+  if (selection.length > 0) cards().catch(() => complain(NOT_LOADED))
+})
 const showHelp = () =>
   import('./panels/help.ts').then(
     ({ showHelp }) => showHelp(),
     () => complain(NOT_LOADED),
   )
 byId('show-help', HTMLButtonElement).addEventListener('click', showHelp)
-mountGroup(store, actions)
 mountOneLine()
-mountTable(store, editing, actions, view)
 const menu = loadedOnce(async () => {
   const { contextMenu } = await import('./panels/context-menu.ts')
   return contextMenu(store, actions, view, () => byId('field-name', HTMLInputElement).focus())
@@ -159,6 +158,7 @@ listenToMenu(
 const played = mountMethod(store, actions)
 mountScale(view)
 mountNames(store, editing)
+panelLater('table', complain, async () => (await import('./panels/table.ts')).mountTable(store, editing, actions, view))
 panelLater('files', complain, async () => (await import('./panels/files.ts')).mountFiles(await fileActions()))
 panelLater('share', complain, async () => {
   const { mountShare } = await import('./panels/share.ts')
@@ -185,11 +185,16 @@ const begun = actions.hasOpened ? 'superseded' : await open()
 if (begun === 'refused') {
   const { problem } = store.get()
   // The user may have opened something else by now, which must not be replaced.
-  if ((await actions.load((DATA_SETS[0] as DataSet).id)) === 'opened') {
+  const [how, drift] = await Promise.all([
+    actions.load((DATA_SETS[0] as DataSet).id),
+    // The circles stay where they are if this fails.
+    import('./motion/drift.ts').catch(() => undefined),
+  ])
+  if (how === 'opened') {
     // The problem of the link that these circles replace.
     actions.complain(problem)
     // A selected circle would seem to be at its position during the animation.
-    driftAtStart(view, byId('figure', HTMLElement), () =>
+    drift?.driftAtStart(view, byId('figure', HTMLElement), () =>
       store.update((state) => withSelection(state, state.selection, view.circles)),
     )
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, type TemplateResult } from 'lit/html.js'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
 import type { Float64s } from '../../lib/index.ts'
 import { icon } from '../../player/icon.ts'
 import { ringsOf } from '../../view/domain.ts'
@@ -30,10 +32,11 @@ const LEAST_SHOWN = 40
  * figures of the paper. Returns a function that opens the panel.
  */
 export function mountGenerate(
+  store: Store<State>,
   actions: PageActions,
   files: FilesClient,
   openFile: (file: File) => void,
-): { show(dataSet: string): void; open(): void } {
+): () => void {
   const panel = byId('generate', HTMLElement)
   let fields = FIRST
   let shown = ''
@@ -193,19 +196,17 @@ export function mountGenerate(
   `
 
   draw()
-  return {
-    show(dataSet) {
-      if (dataSet === shown) return
-      shown = dataSet
-      const source = sourceOf(dataSet)
-      if (source?.kind === 'family') fields = { seed: source.seed, count: source.count }
-      if (source !== undefined && dataSetOf(dataSet) === undefined) isHardOpen = true
-      draw()
-      if (isHardOpen && folded.isOpen) load()
-    },
-    open() {
-      folded.open()
-      panel.querySelector<HTMLElement>('.body button, .body input')?.focus()
-    },
+  store.subscribe(({ dataSet }) => {
+    if (dataSet === shown) return
+    shown = dataSet
+    const source = sourceOf(dataSet)
+    if (source?.kind === 'family') fields = { seed: source.seed, count: source.count }
+    if (source !== undefined && dataSetOf(dataSet) === undefined) isHardOpen = true
+    draw()
+    if (isHardOpen && folded.isOpen) load()
+  })
+  return () => {
+    folded.open()
+    panel.querySelector<HTMLElement>('.body button, .body input')?.focus()
   }
 }

@@ -104,7 +104,7 @@ export function panelOf(
 }
 
 /** Loads and mounts a panel when its button is pressed, or at once if it was open before a reload. */
-export function panelLater(id: string, complain: (problem: string) => void, mount: () => Promise<void>): void {
+export function panelLater(id: string, complain: (problem: string) => void, mount: () => Promise<unknown>): void {
   const button = document.querySelector(`[aria-controls="${id}"]`) as HTMLButtonElement
   const load = async (isPressed: boolean) => {
     try {
@@ -116,7 +116,12 @@ export function panelLater(id: string, complain: (problem: string) => void, moun
       listen()
     }
   }
-  const listen = () => button.addEventListener('click', () => load(true), { once: true })
+  const press = (event: Event) => {
+    // The panel may have been mounted by other means. Its own listener waits for the repeated click.
+    event.stopImmediatePropagation()
+    load(true)
+  }
+  const listen = () => button.addEventListener('click', press, { once: true })
   if (remembered() === id) load(false)
   else listen()
 }

@@ -9,39 +9,28 @@ import { icon } from '../../player/icon.ts'
 import { MINUS, PLUS } from '../../view/icons.ts'
 import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
-import type { CircleGrid } from '../table/circle-grid.ts'
+import { CircleGrid } from '../table/circle-grid.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 
-/** The panel with the table of all circles. The table is loaded when the panel opens for the first time. */
+/** The panel with the table of all circles. */
 export function mountTable(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
   const panel = byId('table', HTMLElement)
   let grid: CircleGrid | undefined
-  let problem = ''
   /** The names and types of the file's columns. */
   let shownColumns = ''
 
   const draw = () => {
     folded.render(body)
-    if (folded.isOpen) fill()
-    else {
+    if (folded.isOpen) {
+      // Rendering may have replaced the place.
+      grid ??= new CircleGrid(byId('circle-grid', HTMLElement), store, editing, actions, view)
+    } else {
       grid?.dispose()
       grid = undefined
     }
   }
   const folded = panelOf(panel, 'Table', draw)
-  /** Reads the element at the time of the call, because drawing may replace it. */
-  const fill = async () => {
-    try {
-      const { CircleGrid } = await import('../table/circle-grid.ts')
-      const place = document.getElementById('circle-grid')
-      if (place !== null && grid === undefined) grid = new CircleGrid(place, store, editing, actions, view)
-    } catch {
-      problem = 'The table could not be loaded.'
-      folded.render(body)
-    }
-  }
-
   const body = () => html`
     ${keyed(shownColumns, html`<div id="circle-grid" class="grid"></div>`)}
     <div class="choices">
@@ -51,7 +40,7 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
       <button type="button" title="Delete the selected circles (Delete)" @click=${() => actions.removeSelected()}>
         ${icon(MINUS)}Delete
       </button>
-      <p>${problem || 'Enter edits; rows of a spreadsheet can be pasted.'}</p>
+      <p>Enter edits; rows of a spreadsheet can be pasted.</p>
     </div>
   `
 
