@@ -23,6 +23,9 @@ beforeEach(async () => {
 
 async function select(...chosen: number[]) {
   page.actions.select(chosen)
+  // The cards are loaded with the first selection.
+  const shown = element(chosen.length > 1 ? 'group' : 'inspector')
+  await soon(() => expect(shown.hidden).toBe(chosen.length === 0))
   await quiet()
 }
 
