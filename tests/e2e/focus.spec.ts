@@ -65,6 +65,27 @@ test('the focus stays among neighbors, and keys of the picture work after a clic
   })
 })
 
+test('letters and Backspace act on the picture while it has the focus, and nowhere else', async ({
+  introduction: app,
+}) => {
+  const { page } = app
+  await app.select(INTRODUCTION, 4)
+  const add = page.getByRole('button', { name: 'Add a circle' })
+  const state = async () => [await app.status.textContent(), await page.locator('[aria-pressed=true]').count()]
+  const before = await state()
+  await page.getByRole('button', { name: 'Fit' }).focus()
+  for (const key of ['a', 's', 'v', 'h', 'p', 'n', 'Backspace']) await page.keyboard.press(key)
+  // Delete comes after them and is for the page: it is not a character.
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('14 circles')
+  expect(await state()).toEqual(before)
+  await app.canvas.focus()
+  await page.keyboard.press('a')
+  await expect(add).toHaveAttribute('aria-pressed', 'true')
+})
+
 test('a circle that Tab selects is shown', async ({ introduction: app }) => {
   await app.select(INTRODUCTION, 4)
   await app.drag({ x: 140, y: 400 }, { x: 1270, y: 400 })
