@@ -137,8 +137,10 @@ test('the ends of the clearest path are not behind a panel that opens later', as
   }
   expect(await endsSeen()).toEqual([true, true])
   // The wider table covers the place beside the panel.
-  await app.drag(app.locate(INTRODUCTION, ((await pathOf()) as Path).from), { x: app.padding.left + 4, y: 400 })
+  const before = (await pathOf()) as Path
+  await app.drag(app.locate(INTRODUCTION, before.from), { x: app.padding.left + 4, y: 400 })
   await page.mouse.up()
+  await soon(pathOf).not.toEqual(before)
   await app.openPanel('Table')
   await soon(endsSeen).toEqual([true, true])
 })
