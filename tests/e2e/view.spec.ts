@@ -5,6 +5,7 @@ import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import type { Layers } from '../../web/view/layers.ts'
 import { soon } from '../soon.ts'
 import { violationsInBoth } from './accessibility.ts'
+import { framesOf } from './frames.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -123,6 +124,9 @@ type Path = NonNullable<Layers['path']>
 
 test('the ends of the clearest path are not behind a panel that opens later', async ({ introduction: app }) => {
   const { page } = app
+  // In a low window, there is room beside all circles.
+  await page.setViewportSize({ width: 1280, height: 600 })
+  await framesOf(page, 2)
   await app.openPanel('Layers')
   await page.getByRole('checkbox', { name: 'Clearest path' }).check()
   const pathOf = async () => (await decodeLink(new URL(page.url()).hash)).layers?.path as unknown as Path | undefined
@@ -138,7 +142,7 @@ test('the ends of the clearest path are not behind a panel that opens later', as
   expect(await endsSeen()).toEqual([true, true])
   // The wider table covers the place beside the panel.
   const before = (await pathOf()) as Path
-  await app.drag(app.locate(INTRODUCTION, before.from), { x: app.padding.left + 4, y: 400 })
+  await app.drag(app.locate(INTRODUCTION, before.from), { x: app.padding.left + 4, y: 300 })
   await page.mouse.up()
   await soon(pathOf).not.toEqual(before)
   await app.openPanel('Table')

@@ -99,9 +99,7 @@ export class Rings {
       for (const [name, value] of Object.entries({ cx: x, cy: y, r })) ring.setAttribute(name, `${value}`)
       const width = widths[k] as number
       const isFree = (top: number) =>
-        taken.every(
-          (other) => Math.abs(x - other.x) >= (width + other.width) / 2 || Math.abs(top - other.top) >= LABEL + GAP,
-        )
+        taken.every((other) => Math.abs(x - other.x) >= (width + other.width) / 2 || Math.abs(top - other.top) >= LABEL)
       // A label stays in sight: below its circle, or else above or on it.
       const places = [y + r + GAP, y - r - GAP - LABEL, y - LABEL / 2]
       const seen = places.filter((top) => top >= 0 && top + LABEL <= size.height)
