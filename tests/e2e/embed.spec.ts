@@ -38,7 +38,7 @@ test('shows the link that its address has last, though the one before is slower'
 })
 
 test('labels of goals cover none of one another, and are in the picture', async ({ page }) => {
-  await page.setViewportSize({ width: 316, height: 236 })
+  await page.setViewportSize({ width: 390, height: 250 })
   const circles = [
     [0, 3.4, 2],
     [-3.6, -2.6, 2],

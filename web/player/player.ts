@@ -427,10 +427,11 @@ class MethodPlayer implements Player {
     const shown = root.querySelector(isSticky ? '[aria-current]' : '.question')
     if (shown === null || root.scrollHeight <= root.clientHeight || shown.getClientRects().length === 0) return
     const [{ top, bottom }, around] = [shown.getBoundingClientRect(), root.getBoundingClientRect()]
-    const above = (isSticky ? head.getBoundingClientRect().bottom : around.top) - top
+    const above = isSticky ? head.getBoundingClientRect().bottom - top : 0
     const below = bottom - around.bottom
     if (above > 0) root.scrollTop -= above + REVEALED
-    else if (below > 0) root.scrollTop += below + REVEALED
+    // Above a question is as much of the head as has room.
+    else if (below > 0 || !isSticky) root.scrollTop += below + REVEALED
   }
 
   #page(
