@@ -115,3 +115,26 @@ test('columns of a table are in the table, the inspector, the colors, the link, 
   expect(cells.bbox).toHaveLength(4)
   await expect(page.locator('#toast')).toContainText('The cells are cut to the box from')
 })
+
+test('long columns and values stay in the card, with their whole texts as tooltips', async ({ app }) => {
+  const { page, inspector } = app
+  const [name, value] = ['the_longest_heading_'.repeat(5), 'a long text without an end '.repeat(40).trim()]
+  await app.drop('long.csv', `x,y,r,${name},short\n0,0,1,"${value}",7\n5,0,1,b,8\n`)
+  await expect(app.status).toContainText('2 circles')
+  await app.canvas.focus()
+  await page.keyboard.press('Enter')
+  const data = inspector.locator('#inspector-data')
+  await expect(data).toBeVisible()
+  const card = (await inspector.boundingBox()) as { x: number; width: number }
+  for (const [part, text] of [
+    [data.locator('dt').first(), name],
+    [data.locator('dd').first(), value],
+    [data.locator('dd').last(), '7'],
+  ] as const) {
+    await expect(part).toHaveAttribute('title', text)
+    const box = (await part.boundingBox()) as { x: number; width: number; height: number }
+    expect(box.x).toBeGreaterThan(card.x)
+    expect(box.x + box.width).toBeLessThan(card.x + card.width)
+    expect(box.height).toBeLessThan(80)
+  }
+})

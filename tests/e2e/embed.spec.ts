@@ -37,6 +37,30 @@ test('shows the link that its address has last, though the one before is slower'
   await expect(page.locator('#problem')).toBeHidden()
 })
 
+test('labels of goals cover none of one another, and are in the picture', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 250 })
+  const circles = [
+    [0, 3.4, 2],
+    [-3.6, -2.6, 2],
+    [3.6, -2.6, 2],
+  ] as const
+  const check = { all: [0, 1, 2].map((cell) => ({ cell, r: { min: 4.5 } })) }
+  await page.goto(`/embed.html#${await encodeLink({ circles, check })}`)
+  const labels = page.locator('.rings > span')
+  await expect(labels).toHaveText(['0radius 2', '1radius 2', '2radius 2'])
+  const picture = (await page.locator('.rings').boundingBox()) as { y: number; height: number }
+  const boxes = await labels.evaluateAll((all) => all.map((label) => label.getBoundingClientRect().toJSON() as DOMRect))
+  for (const [k, box] of boxes.entries()) {
+    expect(box.top).toBeGreaterThanOrEqual(picture.y)
+    expect(box.bottom).toBeLessThanOrEqual(picture.y + picture.height)
+    for (const other of boxes.slice(k + 1)) {
+      const isApart =
+        box.right <= other.left || other.right <= box.left || box.bottom <= other.top || other.bottom <= box.top
+      expect(isApart, JSON.stringify([box, other])).toBe(true)
+    }
+  }
+})
+
 test('an element in a form goes back to what its attributes say when the form is reset', async ({ page }) => {
   await page.goto(`/embed.html#${await encodeLink({ dataSet: 'waka' })}`)
   await soon(() => circlesOf(page)).toBe(WAKA)

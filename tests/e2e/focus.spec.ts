@@ -3,6 +3,7 @@
 
 import { fitted, toScreen } from '../../web/view/camera.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
+import { soon } from '../soon.ts'
 import { dataSet, expect, PADDING, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
@@ -63,6 +64,29 @@ test('the focus stays among neighbors, and keys of the picture work after a clic
     await app.page.keyboard.press('Control+z')
     await expect(app.status).toContainText('678 circles')
   })
+})
+
+test('letters and Backspace act on the picture while it has the focus, and nowhere else', async ({
+  introduction: app,
+}) => {
+  const { page } = app
+  await app.select(INTRODUCTION, 4)
+  const add = page.getByRole('button', { name: 'Add a circle' })
+  const state = async () => [await app.status.textContent(), await page.locator('[aria-pressed=true]').count()]
+  const before = await state()
+  await page.getByRole('button', { name: 'Fit' }).focus()
+  for (const key of ['a', 's', 'v', 'h', 'p', 'n', 'Backspace']) await page.keyboard.press(key)
+  // The circle is still there and selected.
+  await app.field('r').fill('0.5')
+  await app.field('r').press('Enter')
+  await soon(async () => (await app.circles())[14]).toBe(0.5)
+  expect(await app.circles()).toHaveLength(INTRODUCTION.length)
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await soon(() => app.circles()).toEqual(INTRODUCTION)
+  expect(await state()).toEqual(before)
+  await app.canvas.focus()
+  await page.keyboard.press('a')
+  await expect(add).toHaveAttribute('aria-pressed', 'true')
 })
 
 test('a circle that Tab selects is shown', async ({ introduction: app }) => {

@@ -2,6 +2,7 @@
 // Families of random circles and figures of the paper.
 import { readFileSync } from 'node:fs'
 import type { Page } from '@playwright/test'
+import { DATA_SETS } from '../../web/app/data-sets.ts'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { circlesOfText } from '../../web/view/circle-text.ts'
@@ -16,6 +17,22 @@ async function saved(page: Page): Promise<Float64Array> {
   await page.getByRole('button', { name: 'CSV' }).click()
   return circlesOfText(readFileSync(await (await download).path(), 'utf8'))
 }
+
+test('the gallery pictures each data set, and opens the one that is chosen', async ({ eight: app }) => {
+  const { page } = app
+  await app.openPanel('Gallery')
+  const tiles = page.getByRole('list', { name: 'Data sets' }).locator('button')
+  await expect(tiles).toHaveCount(DATA_SETS.length)
+  // Each has its own circles.
+  const pictures = () => tiles.locator('.frame').evaluateAll((frames) => frames.map(({ innerHTML }) => innerHTML))
+  await soon(async () => (await pictures()).filter((picture) => picture.includes('<svg')).length).toBe(DATA_SETS.length)
+  expect(new Set(await pictures()).size).toBe(DATA_SETS.length)
+  await expect(page.getByLabel('Random seed')).toBeHidden()
+  const tile = page.getByRole('button', { name: /^Spruces/ })
+  await tile.click()
+  await expect(app.status).toContainText('134 circles')
+  await expect(tile).toHaveAttribute('aria-current', 'true')
+})
 
 test('a family with a number and a seed, again, edited, and the same after a reload', async ({ app }) => {
   const { page } = app

@@ -112,6 +112,19 @@ test('looks the same in the page and in a frame', async ({ app, context }) => {
   expect(await lookOf(frame)).toEqual(look)
 })
 
+test('the link of a narrow frame to the playground covers nothing of the player', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  await page.goto(`/embed.html#${await encodeLink({ circles: Float64Array.of(0, 0, 2, 20, 0, 3, 9, 20, 1), step: 4 })}`)
+  await expect(page.locator('.cv-player .sentence')).toBeVisible()
+  const link = page.getByRole('link', { name: 'Open' })
+  await expect(link).toBeInViewport({ ratio: 1 })
+  const below = await link.evaluate((element) => {
+    const { left, top, width, height } = element.getBoundingClientRect()
+    return document.elementsFromPoint(left + width / 2, top + height / 2).map(({ localName }) => localName)
+  })
+  expect(below).not.toContain('circle-voronoi')
+})
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 320, height: 640 }, hasTouch: true, colorScheme: 'dark' })
 
@@ -134,6 +147,21 @@ test.describe('on a phone', () => {
       return buttons.filter(({ left, right }) => left < 8 || right > 312).length
     })
     expect(cut).toBe(0)
+    // A question has its answers in sight, and afterwards the buttons are.
+    const button = (name: string | RegExp) => player.getByRole('button', { name })
+    await button(/^Quiz/).tap()
+    const answers = player.getByRole('group', { name: 'What happens next?' }).getByRole('button')
+    for (let k = 0; k < 20 && (await answers.count()) === 0; k++) await button(/^Next step$/).tap()
+    await expect(answers.first()).toBeInViewport({ ratio: 1 })
+    await expect(answers.last()).toBeInViewport({ ratio: 1 })
+    // As much of the head as has room is above them.
+    const gap = await answers.last().evaluate((answer) => {
+      const player = answer.closest('.cv-player') as HTMLElement
+      return player.getBoundingClientRect().bottom - answer.getBoundingClientRect().bottom
+    })
+    expect(gap).toBeLessThan(60)
+    await answers.last().tap()
+    await expect(button(/^Next step$/)).toBeInViewport({ ratio: 1 })
     await player.getByRole('button', { name: 'Close the player' }).tap()
     await expect(page.getByRole('button', { name: 'Layers' })).toBeVisible()
   })

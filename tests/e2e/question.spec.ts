@@ -2,7 +2,7 @@
 // A question is made in the panel Share and asked by the embedded page.
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { soon } from '../soon.ts'
-import { violationsOf } from './accessibility.ts'
+import { violationsInBoth } from './accessibility.ts'
 import { App, expect, test } from './page.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 2, 5, 10, 2, 9, 6, 1, 5, 4, 0.5)
@@ -42,7 +42,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
   await page.getByLabel('Question', { exact: true }).fill('Give the smallest circle three edges.')
   await page.getByLabel('Title').fill('Three "edges"')
   await page.getByLabel('Language').selectOption('German')
-  expect(await violationsOf(page)).toEqual([])
+  expect(await violationsInBoth(page)).toEqual([])
   const code = await app.copiedBy(page.getByRole('button', { name: 'Copy question code' }))
   await expect(page.locator('#toast')).toContainText('The code of the question is in the clipboard.')
   expect(code).toMatch(/^<iframe src="[^"]+\/embed\.html#v1\.[\w-]+" title="Three &quot;edges&quot;" loading="lazy"/)
@@ -65,6 +65,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
   await expect(tab.locator('#goals')).toHaveText('Kanten: jetzt 4, Ziel 3; Kreise: jetzt 5, Ziel 5')
   const ring = tab.locator('circle-voronoi .rings circle')
   await expect(ring).not.toHaveClass(/closed/)
+  expect(await violationsInBoth(tab)).toEqual([])
   const circlesThere = () => tab.evaluate(() => document.querySelector('circle-voronoi')?.circles.length)
   await soon(circlesThere).toBe(CIRCLES.length)
   await tab.evaluate(() => {

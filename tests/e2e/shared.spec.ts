@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs'
 import jsQR from 'jsqr'
 import { decodeLink } from '../../web/lib/link.ts'
 import { soon } from '../soon.ts'
+import { violationsInBoth } from './accessibility.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
 const START = dataSet('start')
@@ -146,6 +147,33 @@ test('a card has the size that other sites show beside a link', async ({ eight: 
   expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([1200, 630])
 })
 
+test('the tile of the picture saves what is seen, twice as large', async ({ eight: app }) => {
+  const { page } = app
+  await app.painted()
+  const at = app.center(START, 0)
+  const [color] = await app.colors([at])
+  await share(app)
+  const [saved] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save a picture' }).click(),
+  ])
+  expect(saved.suggestedFilename()).toBe('start.png')
+  const png = readFileSync(await saved.path())
+  const { width, height } = page.viewportSize() as { width: number; height: number }
+  expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([2 * width, 2 * height])
+  const drawn = await page.evaluate(
+    async ([text, x, y]) => {
+      const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0))
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }))
+      const context = new OffscreenCanvas(1, 1).getContext('2d') as OffscreenCanvasRenderingContext2D
+      context.drawImage(image, -x, -y)
+      return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)]
+    },
+    [png.toString('base64'), Math.floor(2 * at.x), Math.floor(2 * at.y)] as const,
+  )
+  expect(drawn).toEqual(color)
+})
+
 test('a photo becomes circles in its colors', async ({ app }) => {
   const { page } = app
   const photo = await page.evaluate(async () => {
@@ -169,6 +197,35 @@ test('a photo becomes circles in its colors', async ({ app }) => {
   await app.painted()
   const [left] = await app.colors([{ x: 400, y: 400 }])
   expect(Math.max(...(left as number[]))).toBeLessThan(255)
+
+  // The bar below makes more circles, saves the mosaic as large as the photo, and moves the circles.
+  const bar = page.getByRole('region', { name: 'Photo' })
+  const isPressable = (name: string) => bar.getByRole('button', { name }).isEnabled()
+  await bar.getByRole('button', { name: 'More' }).click()
+  await expect(app.status).toContainText('3,600 circles')
+  await expect(bar).toContainText('3,600 circles')
+  expect(await violationsInBoth(page)).toEqual([])
+  // So many circles cannot move.
+  expect([await isPressable('Breathe'), await isPressable('More')]).toEqual([false, true])
+  const [saved] = await Promise.all([page.waitForEvent('download'), bar.getByRole('button', { name: 'Save' }).click()])
+  const png = readFileSync(await saved.path())
+  expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([2400, 1200])
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('1,800 circles')
+  await expect(bar).toContainText('1,800 circles')
+  await soon(async () => (await decodeLink(new URL(page.url()).hash)).layers).toMatchObject({ edges: false })
+  await bar.getByRole('button', { name: 'Breathe' }).click()
+  await expect(page.locator('#stop')).toBeVisible()
+  await page.keyboard.press('Escape')
+  await expect(page.locator('#stop')).toBeHidden()
+  // Undo goes back to the circles before the photo, with their layers and without the bar.
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('8 circles')
+  await expect(bar).toBeHidden()
+  await soon(async () => (await decodeLink(new URL(page.url()).hash)).layers).toBeUndefined()
+  await page.getByRole('button', { name: 'Redo' }).click()
+  await expect(bar).toContainText('1,800 circles')
 })
 
 test('a menu at the pointer has what can be done there, also by keys', async ({ eight: app }) => {

@@ -290,6 +290,12 @@ test.describe('with fingers', () => {
     await app.openPanel('Table')
     await table.cell(2, 4).tap()
     await expect(table.grid.locator('[aria-selected=true]')).toHaveCount(1)
+    const cut = await table.grid
+      .getByRole('gridcell')
+      .evaluateAll((cells) =>
+        cells.filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth).map(({ textContent }) => textContent),
+      )
+    expect(cut).toEqual([])
     const box = await page.locator('#table').boundingBox()
     expect(box?.width).toBeGreaterThan(360)
     expect((await table.cell(2, 4).boundingBox())?.height).toBeGreaterThanOrEqual(44)

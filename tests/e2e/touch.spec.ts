@@ -100,6 +100,36 @@ test('a long press and taps select several circles, which are dragged together',
   }).toEqual([1, 3, 6])
 })
 
+test('the tray of tools has a caption below each icon, and the tutorial is in sight', async ({ page }) => {
+  const app = new App(page)
+  await app.open(START_LINK)
+  await expect(page.getByRole('link', { name: 'Tutorial' })).toBeInViewport({ ratio: 1 })
+  await page.getByRole('button', { name: 'More tools' }).tap()
+  const tools = page.locator('#more-tools button')
+  for (const tool of await tools.all()) {
+    const caption = tool.locator('.caption')
+    await expect(caption).toBeInViewport({ ratio: 1 })
+    await expect(caption).toHaveText((await tool.getAttribute('aria-label')) as string)
+  }
+})
+
+for (const [width, height] of [
+  [844, 390],
+  [360, 740],
+] as const) {
+  test(`the number of the step is whole in the player: ${width} x ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height })
+    const app = new App(page)
+    await app.open(START_LINK)
+    await app.openPanel('Step by step')
+    const count = page.getByRole('region', { name: 'The method, step by step' }).locator('.where')
+    await expect(count).toHaveText(/^0 \/ \d+$/)
+    await expect(count).toBeInViewport({ ratio: 1 })
+    expect(await count.evaluate((element) => element.getClientRects().length)).toBe(1)
+    expect(await count.evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth + 1)).toBe(true)
+  })
+}
+
 test('the method shows all circles beside its panel, also after an edit', async ({ page }) => {
   const app = new App(page)
   await app.open(START_LINK)

@@ -2,8 +2,10 @@
 import type { Point } from '../../web/lib/index.ts'
 import { decodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
+import type { Layers } from '../../web/view/layers.ts'
 import { soon } from '../soon.ts'
 import { violationsInBoth } from './accessibility.ts'
+import { framesOf } from './frames.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -116,6 +118,35 @@ test('the clearest path follows its ends and the circles', async ({ app }) => {
   await expect(row).toHaveText(clearance as string)
   await page.getByRole('checkbox', { name: 'Clearest path' }).uncheck()
   await expect(row).toHaveCount(0)
+})
+
+type Path = NonNullable<Layers['path']>
+
+test('the ends of the clearest path are not behind a panel that opens later', async ({ introduction: app }) => {
+  const { page } = app
+  // In a low window, there is room beside all circles.
+  await page.setViewportSize({ width: 1280, height: 600 })
+  await framesOf(page, 2)
+  await app.openPanel('Layers')
+  await page.getByRole('checkbox', { name: 'Clearest path' }).check()
+  const pathOf = async () => (await decodeLink(new URL(page.url()).hash)).layers?.path as unknown as Path | undefined
+  await soon(pathOf).toBeDefined()
+  const endsSeen = async () => {
+    const { from, to } = (await pathOf()) as Path
+    const places = [from, to].map((end) => app.locate(INTRODUCTION, end))
+    return page.evaluate(
+      (places) => places.map(({ x, y }) => document.elementFromPoint(x, y)?.closest('#figure') !== null),
+      places,
+    )
+  }
+  expect(await endsSeen()).toEqual([true, true])
+  // The wider table covers the place beside the panel.
+  const before = (await pathOf()) as Path
+  await app.drag(app.locate(INTRODUCTION, before.from), { x: app.padding.left + 4, y: 300 })
+  await page.mouse.up()
+  await soon(pathOf).not.toEqual(before)
+  await app.openPanel('Table')
+  await soon(endsSeen).toEqual([true, true])
 })
 
 test('numbers are those of the circles, and say by which way a diagram is right', async ({ app }) => {

@@ -105,15 +105,23 @@ describe('in the page, attributes', () => {
 
     const tried: unknown[] = []
     const files = {
-      call: async (_: string, state: { attributes?: unknown }) => {
-        tried.push(state.attributes !== undefined)
-        if (tried.length < 2) throw new Error('too large')
+      call: async (_: string, state: { attributes?: unknown; headings?: unknown }) => {
+        tried.push([state.attributes, state.headings])
+        if (tried.length % 2 === 1) throw new Error('too large')
         return 'v1.x'
       },
     }
-    const many = { circles: new Float64Array(9000), attributes: FILE }
-    expect(await new LinkWriter(files as never).linkOf(many)).toBe('v1.x')
-    expect(tried).toEqual([true, false])
+    const circles = new Float64Array(9000)
+    const headings = ['a', 'b', 'c'] as const
+    for (const more of [{ attributes: FILE }, { headings }]) {
+      expect(await new LinkWriter(files as never).linkOf({ circles, ...more })).toBe('v1.x')
+    }
+    expect(tried).toEqual([
+      [FILE, undefined],
+      [undefined, undefined],
+      [undefined, headings],
+      [undefined, undefined],
+    ])
   })
 
   it('of a link are refused unless they are those of its circles', async () => {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names and colors of circles: edited, undone, linked, and drawn as labels and in the colors.
+import fc from 'fast-check'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { columnsOf, namedAs } from '../../web/editing/attributes.ts'
 import { isColor, isIdentity, namesOf, ownColorsOf } from '../../web/editing/identity.ts'
@@ -178,6 +179,41 @@ describe('labels', () => {
     // Below, there is no picture yet.
     expect(named({ circles, within: { ...at, minY: -0.2 } })[0]?.y).toBeLessThan(150)
     expect(named({ circles, within: { ...at, minX: 1 } })).toEqual([])
+  })
+
+  it('are whole, or the beginnings of names with more than 32 letters, whatever letters these are', () => {
+    const circles = new CircleTable(Float64Array.of(0, 0, 9))
+    fc.assert(
+      fc.property(fc.string({ unit: 'binary', maxLength: 80, size: 'max' }), (text) => {
+        const drawn = named({ list: [{ id: 0, text }], circles }, { ...FRAME, width: 4000, scale: 200 })[0]?.text ?? ''
+        expect([...drawn].length).toBe(Math.min([...text].length, 32))
+        expect([drawn, `${text.slice(0, drawn.length - 1)}…`]).toContain([...text].length > 32 ? drawn : text)
+        // Half of a letter of two code units is a surrogate.
+        expect(drawn).not.toMatch(/\p{Cs}/u)
+      }),
+    )
+  })
+
+  it('cross no border of the frame, and are on another side of a circle at the border', () => {
+    let inside = 0
+    for (let k = 0; k < 40; k++) {
+      const frame = { ...FRAME, x: random() * 20 - 10, y: random() * 16 - 8, scale: 10 + k }
+      for (const { text, x, y } of placed(names, frame)) {
+        const sides = [
+          [x - half(text), x + half(text), frame.width],
+          [y - LABEL_SIZE / 2, y + LABEL_SIZE / 2, frame.height],
+        ] as const
+        const isOutside = sides.some(([from, to, length]) => to <= 0 || from >= length)
+        const isInside = sides.every(([from, to, length]) => from >= 0 && to <= length)
+        expect(isInside || isOutside, `${text} at ${x}, ${y}`).toBe(true)
+        if (isInside) inside += 1
+      }
+    }
+    expect(inside).toBeGreaterThan(100)
+    const at = (x: number, y: number) => named({ circles: new CircleTable(Float64Array.of(x, y, 0)) })[0]
+    expect(at(0, 0)?.y).toBeGreaterThan(150)
+    expect(at(0, -7)?.y).toBeLessThan(290)
+    expect(at(-9.9, 0)?.x).toBeGreaterThan(2)
   })
 
   it('are never hundreds, and fewer in a small frame', () => {

@@ -2,7 +2,8 @@
 // The panel of layers on the whole page: each control, and the layers that are drawn afterwards.
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
-import { toScreen } from '../../web/view/camera.ts'
+import type { Point } from '../../web/lib/index.ts'
+import { toPlane, toScreen } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS, type Layers, MOST_PAIRED, MOST_TRACED } from '../../web/view/layers.ts'
 import { all, control, controls } from './page-document.ts'
 import { entered, FIVE, found, pressed, quiet, SIZE, wholePage } from './whole-page.ts'
@@ -35,6 +36,30 @@ it('the ends of a new path are in the part of the picture that no panel covers',
     expect(y).toBeGreaterThan(covered.top)
     expect(y).toBeLessThan(view.size.height - covered.bottom)
   }
+})
+
+it('an end of a path that a panel begins to cover moves to where it is seen, and no other end', async () => {
+  const { view, actions } = page
+  const at = (x: number, y = 0.5) => toPlane(view.camera, view.size, { x: x * SIZE.width, y: y * SIZE.height })
+  const before = actions.paddingNow
+  const cover = (left: number) =>
+    Object.defineProperty(actions, 'paddingNow', { value: { ...before, left }, configurable: true })
+  const uncover = (from: Point, to: Point) => {
+    view.setLayers({ path: { from, to } })
+    actions.uncoverPath(before)
+    return view.layers.path
+  }
+  cover(0.5 * SIZE.width)
+  const moved = uncover(at(0.2), at(0.8))
+  const across = actions.pathAcross()
+  const isLeft = uncover(at(0.9), at(0.45))
+  // The first end is outside of the window, and the second one was covered before.
+  const [outside, under] = [at(-0.2), at(0.3, 1 - (0.5 * before.bottom) / SIZE.height)]
+  const kept = uncover(outside, under)
+  Reflect.deleteProperty(actions, 'paddingNow')
+  expect(moved).toEqual({ from: across.from, to: at(0.8) })
+  expect(isLeft).toEqual({ from: at(0.9), to: across.to })
+  expect(kept).toEqual({ from: outside, to: under })
 })
 
 it('the ends of a new path are outside of circles where there is room', async () => {

@@ -4,6 +4,7 @@
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
+import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { all, choose, control, element, send, textOf } from './page-document.ts'
 import { outputs } from './page-outputs.ts'
@@ -245,6 +246,18 @@ describe('saved data', () => {
     await page.actions.undo()
     await page.actions.undo()
     expect((await saved('CSV')).text).toMatch(/^x,y,r,name\n/)
+  })
+
+  it('has its headings after a reload, too', async () => {
+    await open('Longitude;Latitude;Radius;Ort\n1;2;3;Ulm\n9;2;1;Bonn\n', 'places.csv')
+    await soon(() => expect(circles()).toEqual([1, 2, 3, 9, 2, 1]))
+    await page.actions.edit([{ kind: 'remove', id: 0 }])
+    const link = await encodeLink(page.actions.linkState() as LinkInput)
+    await page.open(FIVE)
+    expect((await saved('CSV')).text).toMatch(/^x,y,r\n/)
+    // The page opens the link of its address.
+    await page.actions.openLink(link)
+    expect((await saved('CSV')).text).toBe('Longitude,Latitude,Radius,Ort\n9,2,1,Bonn\n')
   })
 
   it('says that r has weights if areas were given', async () => {

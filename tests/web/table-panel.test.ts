@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of circles on the whole page: its cells, keys, clicks, order and selection, and what is written and pasted.
 // @vitest-environment happy-dom
+import fc from 'fast-check'
 import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { FilesClient } from '../../web/app/files/files-client.ts'
+import { LinkWriter } from '../../web/app/link-writer.ts'
+import { attributesOfLink } from '../../web/editing/attributes.ts'
+import { decodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { all, element, send, textOf } from './page-document.ts'
 import { quiet, soon, wholePage } from './whole-page.ts'
 
@@ -129,6 +134,27 @@ describe('the cells of the table of circles', () => {
     await soon(() => expect(texts('area')).toEqual(['∞', '–', '∞', '∞']))
     expect(texts('x')).toEqual(['-12345.7', '-12345', '-1.23e-10', '-1.2e-100'])
   })
+})
+
+it('a name of any length is in the link, or refused in one sentence', async () => {
+  const kept = async () => attributesOfLink(await decodeLink(await linkNow()), 4)?.columns[0]?.values[1]
+  const linkNow = () => new LinkWriter(new FilesClient()).linkOf(page.actions.linkState() as LinkInput)
+  const letter = fc.string({ unit: 'grapheme', minLength: 1, maxLength: 5 }).filter((text) => text.trim() === text)
+  await fc.assert(
+    fc.asyncProperty(letter, fc.constantFrom(1, 9, 200, 900, 5000, 20_000), async (letters, times) => {
+      const [before, text] = [page.editing.valueOf(1, 'name'), letters.repeat(times)]
+      page.actions.complain('')
+      await edit(1, 'name')
+      await write(text)
+      if (problem() !== '') {
+        expect(problem()).toMatch(/^Circle 1: .*\.$/)
+        expect([page.editing.valueOf(1, 'name'), text.length > 4000]).toEqual([before, true])
+        await key('Escape')
+      }
+      expect(await kept()).toBe(problem() === '' ? JSON.stringify(text) : before)
+    }),
+    { numRuns: 20 },
+  )
 })
 
 it('measures are there again after a question that was refused', async () => {

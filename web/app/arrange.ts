@@ -5,10 +5,11 @@ import type { PageActions } from './page-actions.ts'
 /** The elements that surround or cover the picture. */
 const AROUND = '#figure, #top, #rail, #left > .panel, #share, #player'
 
-/** Keeps all circles visible, if they were, when panels open and when the window changes its size. */
+/** Keeps all circles visible, if they were, and the ends of a path, when panels open and when the window resizes. */
 export function arrangeAround(view: View, actions: PageActions): void {
   view.covered = () => actions.paddingNow
   let isWhole = actions.isWhole
+  let padding = actions.paddingNow
   let table = view.circles
   const look = () => {
     isWhole = actions.isWhole
@@ -23,6 +24,8 @@ export function arrangeAround(view: View, actions: PageActions): void {
   })
   const observer = new ResizeObserver(() => {
     if (isWhole && !actions.isWhole) actions.look(undefined)
+    actions.uncoverPath(padding)
+    padding = actions.paddingNow
   })
   for (const element of document.querySelectorAll(AROUND)) observer.observe(element)
 }

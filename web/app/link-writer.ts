@@ -14,7 +14,7 @@ export class LinkWriter {
   }
 
   /**
-   * Drops attributes that do not fit.
+   * Drops attributes and headings that do not fit.
    * @throws CircleVoronoiError as `encodeLink`
    */
   async linkOf(state: LinkInput): Promise<string> {
@@ -22,8 +22,8 @@ export class LinkWriter {
     try {
       return await write(state)
     } catch (error) {
-      if (state.attributes === undefined) throw error
-      return write({ ...state, attributes: undefined })
+      if (state.attributes === undefined && state.headings === undefined) throw error
+      return write({ ...state, attributes: undefined, headings: undefined })
     }
   }
 }

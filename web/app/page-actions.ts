@@ -311,12 +311,12 @@ export class PageActions extends EditorActions {
 
   async #linked(text: string): Promise<OpenRequest> {
     const state = await decodeLink(text)
-    const { circles, dataSet, edits, view, layers = {}, step, method, region, lattice, areas, colors } = state
+    const { circles, dataSet, edits, view, layers = {}, step, method, region, lattice, areas, colors, headings } = state
     const attributes = attributesOfLink(state, (circles?.length ?? 0) / 3)
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
-        : { circles, ...(attributes && { attributes }), dataSet: '', isEdited: false }
+        : { circles, headings, ...(attributes && { attributes }), dataSet: '', isEdited: false }
     const own = 'domain' in scene ? scene.domain : undefined
     const shown = region === undefined ? own?.region : (region ?? undefined)
     const domain = (shown ?? lattice ?? areas) && { region: shown, lattice: lattice ?? undefined, areas }

@@ -128,9 +128,8 @@ export class CameraActions {
   }
 
   /** Whether a point is visible and not covered by a panel. */
-  protected shows(point: Point): boolean {
+  protected shows(point: Point, { top, right, bottom, left } = this.paddingNow): boolean {
     const { camera, size } = this.view
-    const { top, right, bottom, left } = this.padding()
     const { x, y } = toScreen(camera, size, point)
     return x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
   }

@@ -1144,9 +1144,10 @@ export class CircleVoronoiElement extends Base {
       this.#isMet = isMet
       if (isMet === true) this.#internals.states?.add('met')
       else this.#internals.states?.delete('met')
-      this.#describe()
     }
-    this.#tellGoals(isMet === true)
+    const areOtherGoals = this.#showGoals()
+    if (isOther || areOtherGoals) this.#describe()
+    if (areOtherGoals) this.#tellGoals()
     if (isMet === false) this.#internals.setValidity({ customError: true }, this.#words.unmet, this.#shell.figure)
     else this.#internals.setValidity({})
     if (isOther) this.#tell('checkchange', { isMet: isMet === true })
@@ -1155,18 +1156,20 @@ export class CircleVoronoiElement extends Base {
     this.#internals.setFormValue(JSON.stringify(isMet === undefined ? { circles } : { circles, check: isMet }))
   }
 
-  /** Shows and reports the goals, if their text has changed. */
-  #tellGoals(isMet: boolean): void {
+  /** Shows the goals. Returns whether their text has changed. */
+  #showGoals(): boolean {
     const { goals: words } = this.#words
     const check = this.#check
     const figure = this.#figure
     if (check !== undefined && figure !== undefined) this.#rings ??= new Rings(this.#shell.frame, figure.view)
-    this.#rings?.show(check === undefined ? [] : goalRings(check, this.#goals, isMet, words))
-    const text = goalSentence(this.#goals, words)
-    if (text === this.#goalText) return
-    this.#goalText = text
-    this.#describe()
-    this.#tell('goalschange', { goals: this.#goals, text })
+    this.#rings?.show(check === undefined ? [] : goalRings(check, this.#goals, this.#isMet === true, words))
+    const before = this.#goalText
+    this.#goalText = goalSentence(this.#goals, words)
+    return this.#goalText !== before
+  }
+
+  #tellGoals(): void {
+    this.#tell('goalschange', { goals: this.#goals, text: this.#goalText })
   }
 
   #describe(): void {
@@ -1185,9 +1188,10 @@ export class CircleVoronoiElement extends Base {
   /** Shows all texts in the element's language, now and once it is loaded. */
   #speak(): void {
     const show = () => {
+      const areOtherGoals = this.#showGoals()
       this.#applyControls()
       this.#showProblems()
-      this.#tellGoals(this.#isMet === true)
+      if (areOtherGoals) this.#tellGoals()
       this.#figure?.stepping.redraw()
     }
     show()

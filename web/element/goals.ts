@@ -38,7 +38,7 @@ export interface GoalWords {
   readonly between: (least: string, most: string) => string
 }
 
-/** The goals of a check. Conditions inside `not` are no goals. */
+/** Returns the goals of a check. Conditions inside `not` do not count as goals. */
 export function goalsOf(check: Check, facts: Facts): Goal[] {
   if ('all' in check) return check.all.flatMap((part) => goalsOf(part, facts))
   if ('any' in check) return check.any.flatMap((part) => goalsOf(part, facts))
@@ -63,7 +63,7 @@ export function goalsOf(check: Check, facts: Facts): Goal[] {
   })
 }
 
-/** A sentence about goals with their values; those with the same condition together. */
+/** Describes goals and their values in one sentence. Goals with the same condition share a clause. */
 export function goalSentence(goals: readonly Goal[], words: GoalWords): string {
   const values = new Map<string, { readonly goal: Goal; readonly now: string[] }>()
   for (const goal of goals) {

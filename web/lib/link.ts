@@ -91,6 +91,8 @@ export interface LinkState extends LinkFrame {
   readonly names?: readonly string[] | undefined
   /** The data of a file about each circle in `circles`, as `CircleAttributes` of circle-voronoi/files. */
   readonly attributes?: LinkAttributes | undefined
+  /** The names of x, y and r in the file that `circles` come from, at most 200 letters each. */
+  readonly headings?: readonly [x: string, y: string, r: string] | undefined
   /** The name of a data set, instead of circles. */
   readonly dataSet?: string | undefined
   /**
@@ -137,6 +139,7 @@ const FIELDS = [
   'circles',
   'names',
   'attributes',
+  'headings',
   'colors',
   'dataSet',
   'edits',
@@ -189,14 +192,29 @@ function linkFrom(letters: string): string {
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null)
     refuseInput(`The state of a link must be an object, not ${shown(state)}.`)
-  const { circles, names, attributes, colors, dataSet, edits, view, layers, step, method, region, lattice, areas } =
-    state
+  const {
+    circles,
+    names,
+    attributes,
+    headings,
+    colors,
+    dataSet,
+    edits,
+    view,
+    layers,
+    step,
+    method,
+    region,
+    lattice,
+    areas,
+  } = state
   if (edits !== undefined && !Array.isArray(edits))
     refuseInput(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> & LinkFrame = {
     circles: circles && [...coordinatesOf(circles)],
     names,
     attributes,
+    headings,
     colors,
     dataSet,
     edits: edits && Array.from(edits, listOf),
@@ -255,6 +273,7 @@ interface EncodedLink extends LinkFrame {
   readonly circles?: readonly number[] | undefined
   readonly names?: readonly string[] | undefined
   readonly attributes?: LinkAttributes | undefined
+  readonly headings?: LinkState['headings']
   readonly colors?: string | undefined
   readonly dataSet?: string | undefined
   readonly edits?: readonly (readonly [kind: '+' | '-' | '=', ...numbers: number[]])[] | undefined
@@ -268,12 +287,27 @@ interface EncodedLink extends LinkFrame {
 }
 
 function stateOf(said: EncodedLink): LinkState {
-  const { circles, names, attributes, colors, dataSet, edits, view, layers, step, method, region, lattice, areas } =
-    said
+  const {
+    circles,
+    names,
+    attributes,
+    headings,
+    colors,
+    dataSet,
+    edits,
+    view,
+    layers,
+    step,
+    method,
+    region,
+    lattice,
+    areas,
+  } = said
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
     ...(names && { names }),
     ...(attributes && { attributes }),
+    ...(headings && { headings }),
     ...(colors !== undefined && { colors }),
     ...(dataSet !== undefined && { dataSet }),
     ...(edits && { edits: edits.map(editOf) }),
@@ -323,8 +357,22 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 /** Returns the reason why a value is not an `EncodedLink`, or `undefined` if it is. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it has no content'
-  const { circles, names, attributes, colors, dataSet, edits, view, layers, step, method, region, lattice, areas } =
-    said
+  const {
+    circles,
+    names,
+    attributes,
+    headings,
+    colors,
+    dataSet,
+    edits,
+    view,
+    layers,
+    step,
+    method,
+    region,
+    lattice,
+    areas,
+  } = said
   if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0))
     return 'the step is not a whole number from 0'
   if (method !== undefined && !isName(method)) return 'the method is not a name'
@@ -344,6 +392,8 @@ function problemOf(said: unknown): string | undefined {
   }
   if (attributes !== undefined && !areAttributes(attributes, Array.isArray(circles) ? circles.length / 3 : 0))
     return 'the attributes are not those of the circles'
+  if (headings !== undefined && !(Array.isArray(headings) && headings.length === 3 && headings.every(isName)))
+    return 'the headings are not the names of x, y and r'
   if (colors !== undefined && !(typeof colors === 'string' && /^[0-7]*$/.test(colors)))
     return 'the colors are not digits from 0 to 7'
   if (dataSet !== undefined) {

@@ -418,19 +418,20 @@ class MethodPlayer implements Player {
     this.#view.above = isNothing ? [] : overlayOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
-  /** Scrolls the current line into the visible part of the player. */
+  /** Scrolls the current line, or the question below a head that scrolls, into the visible part of the player. */
   #reveal(): void {
     const root = this.#root
-    const line = root.querySelector('[aria-current]')
-    if (line === null || root.scrollHeight <= root.clientHeight || line.getClientRects().length === 0) return
     const head = root.querySelector('.head') as HTMLElement
-    // If the head is not sticky, scrolling would move its buttons out of view.
-    if (getComputedStyle(head).position !== 'sticky') return
-    const [{ top, bottom }, around] = [line.getBoundingClientRect(), root.getBoundingClientRect()]
-    const above = head.getBoundingClientRect().bottom - top
+    // If the head is not sticky, scrolling to the line would move its buttons out of view.
+    const isSticky = getComputedStyle(head).position === 'sticky'
+    const shown = root.querySelector(isSticky ? '[aria-current]' : '.question')
+    if (shown === null || root.scrollHeight <= root.clientHeight || shown.getClientRects().length === 0) return
+    const [{ top, bottom }, around] = [shown.getBoundingClientRect(), root.getBoundingClientRect()]
+    const above = isSticky ? head.getBoundingClientRect().bottom - top : 0
     const below = bottom - around.bottom
     if (above > 0) root.scrollTop -= above + REVEALED
-    else if (below > 0) root.scrollTop += below + REVEALED
+    // Above a question is as much of the head as has room.
+    else if (below > 0 || !isSticky) root.scrollTop += below + REVEALED
   }
 
   #page(

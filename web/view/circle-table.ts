@@ -31,7 +31,10 @@ export interface Hit {
   readonly inReach?: number
 }
 
-const IMAGES = [-1, 0, 1].flatMap((k) => [-1, 0, 1].map((l) => [k, l] as const))
+/** The translation of circles themselves. */
+const IN_PLACE: Point = { x: 0, y: 0 }
+/** The multiples of two periods from a circle to its images around it. */
+const AROUND = [-1, 0, 1].flatMap((k) => [-1, 0, 1].map((l) => [k, l] as const)).filter(([k, l]) => k !== 0 || l !== 0)
 /** Number of circles from which the core is estimated. */
 const CORE_SAMPLE = 1000
 
@@ -232,15 +235,14 @@ export class CircleTable {
 
   /**
    * Returns a circle that is closer to a point than circle `id`; `undefined` if the point is in the cell of that circle.
-   * `lattice` has the periods with which the circles repeat. The cell does not repeat, so `id` itself may be returned.
+   * `images` are the translations of circles that repeat (`imagesOf`). The cell does not repeat, so `id` itself may be
+   * returned.
    */
-  closerThan(id: number, point: Point, lattice?: Lattice | null): number | undefined {
+  closerThan(id: number, point: Point, images: readonly Point[] = [IN_PLACE]): number | undefined {
     const distance = this.distanceTo(id, point)
-    if (!lattice) return this.#closerTo(point, distance, id)
-    const [u, v] = shortestPeriods(lattice).vectors
-    for (const [k, l] of IMAGES) {
-      const image = { x: point.x + k * u.x + l * v.x, y: point.y + k * u.y + l * v.y }
-      const closer = this.#closerTo(image, distance, k === 0 && l === 0 ? id : undefined)
+    for (const image of images) {
+      const place = { x: point.x - image.x, y: point.y - image.y }
+      const closer = this.#closerTo(place, distance, image === IN_PLACE ? id : undefined)
       if (closer !== undefined) return closer
     }
     return undefined
@@ -295,6 +297,13 @@ export class CircleTable {
     this.#size = Math.max(this.#size, id + 1)
     this.#numbers.set([x, y, r], 3 * id)
   }
+}
+
+/** The translations of circles that repeat with a lattice: in place, and to the images around. */
+export function imagesOf(lattice: Lattice | null | undefined): Point[] {
+  if (!lattice) return [IN_PLACE]
+  const [u, v] = shortestPeriods(lattice).vectors
+  return [IN_PLACE, ...AROUND.map(([k, l]) => ({ x: k * u.x + l * v.x, y: k * u.y + l * v.y }))]
 }
 
 function coreOf(circles: Float64Array): Box {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Point } from '../lib/index.ts'
-import type { CircleTable } from './circle-table.ts'
+import { type CircleTable, imagesOf } from './circle-table.ts'
 import type { Frame } from './painter/frame.ts'
 import type { DomainChange } from './protocol.ts'
 
@@ -34,26 +34,26 @@ const LETTER = 0.6
 const WIDE_LETTER = 1
 const WIDE = /[\u1100-\u11ff\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff\uff00-\uff60\u{1f300}-\u{3ffff}]/u
 const MARGIN = 6
-/** A longer text is cut. */
+/** Letters of the longest text; longer ones are cut. */
 const LONGEST = 32
 /** The largest number of labels in a frame, and the area for each one in CSS pixels if the frame is small. */
 const MOST_LABELS = 100
 const AREA = 5000
 /** The largest number of names that are tried. */
 const MOST_TRIED = 1000
-/** Distance of the points of a text that have to be in its cell. */
+/** Distance between the points of a text that have to be in its cell. */
 const STEP = 10
 /** The largest number of places for a text. */
 const PLACES = 5
-/** A circle whose cell a place of a text overlapped. It probably overlaps it in the next frame, too. */
+/** The circles that kept texts from their places in the last frame, by place. They are checked first in the next frame. */
 const blockersOf = new WeakMap<CircleTable, Map<number, number>>()
 /** Labels this far outside of a frame are placed too, so that those inside stay when the frame moves. */
 const AROUND = 240
 
 /**
- * Places names so that none overlaps another and each is in its cell: on its disc, or below, above, to the right or to
- * the left of it. Names that have no room are left out, the less important ones first. `frame` is in CSS pixels. Cells
- * end at `maxDistance` from their circles.
+ * Places names so that none overlaps another, none crosses the border of the frame, and each is in its cell: on its disc,
+ * or below, above, to the right or to the left of it. Names that have no room are left out, the less important ones first.
+ * `frame` is in CSS pixels. Cells end at `maxDistance` from their circles.
  */
 export function placed({ list, circles, domain, within }: Names, frame: Frame, maxDistance = Infinity): Label[] {
   const { x, y, scale, width, height } = frame
@@ -62,6 +62,7 @@ export function placed({ list, circles, domain, within }: Names, frame: Frame, m
   const taken = new Taken()
   const labels: Label[] = []
   const most = Math.min(MOST_LABELS, Math.ceil((width * height) / AREA))
+  const images = imagesOf(domain.lattice)
   let seen = 0
   let tried = 0
   for (const { id, text: whole } of list) {
@@ -72,7 +73,7 @@ export function placed({ list, circles, domain, within }: Names, frame: Frame, m
     const isNear = (place: number, length: number) => place > -AROUND && place < length + AROUND
     if (!isNear(middleX, width) || !isNear(middleY, height)) continue
     tried += 1
-    const text = whole.length > LONGEST ? `${whole.slice(0, LONGEST - 1)}…` : whole
+    const text = shortened(whole)
     const half = widthOf(text) / 2 + MARGIN / 2
     const r = domain.areSites === true ? 0 : circle.r * scale
     const beside = [
@@ -85,28 +86,28 @@ export function placed({ list, circles, domain, within }: Names, frame: Frame, m
     const places = r < LINE ? beside : [[0, 0] as const, ...beside]
     const points = pointsOf(half)
     const isInCell = (dx: number, dy: number, key: number) => {
-      const inPlane = points.map((point) => ({
-        x: circle.x + (dx + point.x) / scale,
-        y: circle.y - (dy + point.y) / scale,
-      }))
+      const inPlane = (point: Point) => ({ x: circle.x + (dx + point.x) / scale, y: circle.y - (dy + point.y) / scale })
       const other = blockers.get(key)
-      const isFree = inPlane.every((point) => {
+      const isFree = points.every((offset) => {
+        const point = inPlane(offset)
         const distance = circles.distanceTo(id, point)
         if (within !== undefined && !isIn(within, point)) return false
         return distance <= maxDistance && !(other !== undefined && circles.distanceTo(other, point) < distance)
       })
       if (!isFree) return false
-      for (const point of inPlane) {
-        const closer = circles.closerThan(id, point, domain.lattice)
+      for (const offset of points) {
+        const closer = circles.closerThan(id, inPlane(offset), images)
         if (closer === undefined) continue
         blockers.set(key, closer)
         return false
       }
       return true
     }
-    const place = places.find(
-      ([dx, dy], k) => taken.isFree(middleX + dx, middleY + dy, half) && isInCell(dx, dy, PLACES * id + k),
-    )
+    const place = places.find(([dx, dy], k) => {
+      const [textX, textY] = [middleX + dx, middleY + dy]
+      if (isCut(textX, half, width) || isCut(textY, LINE / 2, height)) return false
+      return taken.isFree(textX, textY, half) && isInCell(dx, dy, PLACES * id + k)
+    })
     if (place === undefined) continue
     const label = { text, x: middleX + place[0], y: middleY + place[1] }
     taken.add(label.x, label.y, half)
@@ -114,6 +115,18 @@ export function placed({ list, circles, domain, within }: Names, frame: Frame, m
     if (label.x > 0 && label.x < width && label.y > 0 && label.y < height) seen += 1
   }
   return labels
+}
+
+function shortened(text: string): string {
+  if (text.length <= LONGEST) return text
+  // A letter has at most two code units.
+  const letters = [...text.slice(0, 2 * LONGEST + 1)]
+  return letters.length > LONGEST ? `${letters.slice(0, LONGEST - 1).join('')}…` : text
+}
+
+/** Whether an end of the frame is within `half` of a text's middle. */
+function isCut(middle: number, half: number, length: number): boolean {
+  return Math.abs(middle) < half || Math.abs(middle - length) < half
 }
 
 function isIn({ minX, minY, maxX, maxY }: Box, { x, y }: Point): boolean {

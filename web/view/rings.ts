@@ -84,7 +84,10 @@ export class Rings {
 
   #place(): void {
     const { camera, size } = this.#view
-    for (const { id } of this.#rings) {
+    // All lengths are read before any style changes.
+    const widths = this.#rings.map(({ id }) => this.#drawn.get(id)?.label.offsetWidth ?? 0)
+    const taken: { readonly x: number; readonly top: number; readonly width: number }[] = []
+    for (const [k, { id }] of this.#rings.entries()) {
       const { ring, label } = this.#drawn.get(id) as { ring: SVGCircleElement; label: HTMLElement }
       const circle = this.#view.discOf(id)
       const isHidden = circle === undefined
@@ -94,9 +97,14 @@ export class Rings {
       const { x, y } = this.#view.toScreen(circle)
       const r = Math.max(circle.r * camera.scale + DISTANCE, SMALLEST)
       for (const [name, value] of Object.entries({ cx: x, cy: y, r })) ring.setAttribute(name, `${value}`)
-      const below = y + r + GAP
-      // A label has to stay in sight, above its circle if there is no room below.
-      const top = below + LABEL <= size.height ? below : y - r - GAP - LABEL
+      const width = widths[k] as number
+      const isFree = (top: number) =>
+        taken.every((other) => Math.abs(x - other.x) >= (width + other.width) / 2 || Math.abs(top - other.top) >= LABEL)
+      // A label stays in sight: below its circle, or else above or on it.
+      const places = [y + r + GAP, y - r - GAP - LABEL, y - LABEL / 2]
+      const seen = places.filter((top) => top >= 0 && top + LABEL <= size.height)
+      const top = seen.find(isFree) ?? seen[0] ?? (places[0] as number)
+      taken.push({ x, top, width })
       label.style.translate = `calc(${x}px - 50%) ${top}px`
     }
   }

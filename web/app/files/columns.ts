@@ -31,7 +31,7 @@ export interface RadiusScale {
 
 export const UNCHANGED: RadiusScale = { kind: 'radius', factor: 1 }
 
-/** The indices of columns. All circles may have the same radius. */
+/** The columns of the circles by their indices. `r` is a column, or one radius for all circles. */
 export interface Columns extends RadiusScale {
   readonly x: number
   readonly y: number
@@ -221,21 +221,14 @@ function attempt<Value>(read: () => Value): Value | undefined {
   }
 }
 
-/** The choice of one radius for all circles in place of a column. */
-export const SAME = -1
-
-/** Columns by their indices; `r` is `SAME` if no column has the radii. */
-export interface ChosenColumns extends RadiusScale {
-  readonly x: number
-  readonly y: number
-  readonly r: number
-}
+/** The radius of all circles where no column has the radii. */
+export const SAME = { all: 1 } as const
 
 /**
  * Guesses the columns of a table by their names. Without names, the first numbers are the coordinates, and the next ones
  * the radii. Each column has at most one role.
  */
-export function guessedColumns(table: Table): ChosenColumns {
+export function guessedColumns(table: Table): Columns {
   const { heading, areMeasures } = table
   const names = heading.map((name) => nameAndUnit(name).name)
   const free = new Set([...heading.keys()].filter((k) => areMeasures[k]))
@@ -261,12 +254,8 @@ const KINDS = ['radius', 'diameter', 'root'] as const
  * Guesses how radii follow from a column: by its name, unless the kind is given, and by the units of the columns. Square
  * roots get a factor with which the largest circle has a twentieth of the extent of all centers as its radius.
  */
-export function scaleOf(
-  table: Table,
-  { x, y, r }: Pick<ChosenColumns, 'x' | 'y' | 'r'>,
-  given?: RadiusKind,
-): RadiusScale {
-  if (r === SAME) return UNCHANGED
+export function scaleOf(table: Table, { x, y, r }: Pick<Columns, 'x' | 'y' | 'r'>, given?: RadiusKind): RadiusScale {
+  if (typeof r !== 'number') return UNCHANGED
   const [nameOfX, nameOfY, radius] = [x, y, r].map((k) => nameAndUnit(table.heading[k] as string)) as [
     Named,
     Named,
@@ -284,7 +273,7 @@ export function scaleOf(
 type Named = ReturnType<typeof nameAndUnit>
 
 /** The factor is rounded to one digit. `length` is that of a unit of the coordinates. */
-function rootFactor(table: Table, columns: Pick<ChosenColumns, 'x' | 'y' | 'r'>, length: number): number {
+function rootFactor(table: Table, columns: Pick<Columns, 'x' | 'y' | 'r'>, length: number): number {
   const circles = circlesOfTable(table, { ...columns, kind: 'root', factor: 1 })
   let largest = 0
   for (let k = 2; k < circles.length; k += 3) largest = Math.max(largest, at(circles, k))

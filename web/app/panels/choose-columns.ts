@@ -6,7 +6,7 @@ import type { Float64s } from '../../lib/index.ts'
 import { short } from '../../view/short.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import {
-  type ChosenColumns,
+  type Columns,
   circlesOfTable,
   guessedColumns,
   nameOfColumn,
@@ -42,8 +42,7 @@ export function chooseColumns(
 ): Promise<NamedColumns | undefined> {
   const dialog = byId('columns', HTMLDialogElement)
   const { heading, rows } = table
-  let chosen: ChosenColumns = guessedColumns(table)
-  let all = 1
+  let chosen = guessedColumns(table)
   /** The preview of the circles; `undefined` while it is computed. */
   let seen: Preview | Error | undefined
   let circles: Float64s = NONE
@@ -52,25 +51,26 @@ export function chooseColumns(
   const problem = (): string => {
     const { x, y, r } = chosen
     if (x === y) return 'x and y are the same column.'
-    const wrong = [x, y, r].find((column) => column !== SAME && table.hasNumbers[column] === false)
+    const columns = typeof r === 'number' ? [x, y, r] : [x, y]
+    const wrong = columns.find((column) => table.hasNumbers[column] === false)
     return wrong === undefined ? '' : `There are no numbers in column ${heading[wrong]}.`
   }
 
   const queue = new NewestQueue<Float64s, Preview>()
   let turn = 0
-  const change = (changed: Partial<ChosenColumns>) => {
+  const change = (changed: Partial<Columns>) => {
     const before = chosen
     chosen = { ...before, ...changed }
     const isCenter = changed.x !== undefined || changed.y !== undefined
     // A column that becomes a coordinate is no radius any more.
-    if (isCenter && [chosen.x, chosen.y].includes(chosen.r)) chosen = { ...chosen, r: SAME }
+    if (isCenter && (chosen.r === chosen.x || chosen.r === chosen.y)) chosen = { ...chosen, r: SAME }
     if (isCenter || changed.r !== undefined) chosen = { ...chosen, ...scaleOf(table, chosen) }
     look()
   }
   const look = async () => {
     turn += 1
     const now = turn
-    circles = problem() === '' ? circlesOfTable(table, { ...chosen, r: chosen.r === SAME ? { all } : chosen.r }) : NONE
+    circles = problem() === '' ? circlesOfTable(table, chosen) : NONE
     seen = undefined
     draw()
     if (circles.length === 0) return
@@ -96,7 +96,7 @@ export function chooseColumns(
     return `${hidden} hidden inside ${length === 1 ? 'another' : 'others'}, without a cell.${rest}`
   }
 
-  const select = (label: string, value: number, set: (column: number) => void, more: unknown = undefined) => html`
+  const select = (label: string, value: Columns['r'], set: (column: number) => void, more: unknown = undefined) => html`
     <label>${label}
       <select aria-label=${label} @change=${(event: Event) => set(Number((event.target as HTMLSelectElement).value))}>
         ${heading.map((name, k) => html`<option value=${k} .selected=${k === value}>${name}</option>`)}
@@ -121,16 +121,10 @@ export function chooseColumns(
       />
     </label>
   `
-  const same = () =>
-    number(
-      'r',
-      all,
-      (value) => {
-        all = value
-        look()
-      },
-      'min',
-    )
+  const radius = () => {
+    const { r } = chosen
+    return typeof r === 'number' ? scale() : number('r', r.all, (all) => change({ r: { all } }), 'min')
+  }
   const scale = () => html`
     <label>read as
       <select
@@ -158,8 +152,8 @@ export function chooseColumns(
           <div class="chosen">
             <div class="roles">
               ${select('x', chosen.x, (x) => change({ x }))} ${select('y', chosen.y, (y) => change({ y }))}
-              ${select('radius', chosen.r, (r) => change({ r }), html`<option value=${SAME} .selected=${chosen.r === SAME}>the same for all</option>`)}
-              ${chosen.r === SAME ? same() : scale()}
+              ${select('radius', chosen.r, (r) => change({ r: r < 0 ? SAME : r }), html`<option value="-1" .selected=${typeof chosen.r !== 'number'}>the same for all</option>`)}
+              ${radius()}
             </div>
             ${pictureOf(circles, seen)}
           </div>
@@ -203,15 +197,15 @@ export function chooseColumns(
       turn += 1
       // The next table starts with new controls.
       render(nothing, dialog)
-      resolve(dialog.returnValue === 'open' ? named(table, chosen, all) : undefined)
+      resolve(dialog.returnValue === 'open' ? named(table, chosen) : undefined)
     }
     dialog.addEventListener('close', close, { once: true })
   })
 }
 
-function named(table: Table, { x, y, r, kind, factor }: ChosenColumns, all: number): NamedColumns {
+function named(table: Table, { x, y, r, kind, factor }: Columns): NamedColumns {
   const nameOf = (column: number) => nameOfColumn(table, column)
-  return { x: nameOf(x), y: nameOf(y), radius: r === SAME ? { all } : nameOf(r), kind, factor }
+  return { x: nameOf(x), y: nameOf(y), radius: typeof r === 'number' ? nameOf(r) : r, kind, factor }
 }
 
 /** Rounds a number with many digits, so that several columns fit. */

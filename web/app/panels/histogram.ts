@@ -28,9 +28,6 @@ export class Histogram {
       ticks: { stroke: ink, width: 0.5, size: 3 },
     }
     this.#plot?.destroy()
-    this.#plot = undefined
-    // An axis of length zero would have endless ticks.
-    if (counts.length === 0) return
     this.#plot = new uPlot(
       {
         width: this.place.clientWidth,

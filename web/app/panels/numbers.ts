@@ -120,19 +120,25 @@ function countsOf({ counts }: Edited): TemplateResult {
 
 function distributionOf({ certificate, medianArea, areas, areaStep, degrees }: Distribution): TemplateResult {
   const cells = degrees.reduce((sum, count) => sum + count, 0)
-  const mean = cells === 0 ? 0 : degrees.reduce((sum, count, degree) => sum + degree * count, 0) / cells
+  const mean = degrees.reduce((sum, count, degree) => sum + degree * count, 0) / cells
   const largest = areaStep * (areas.length - 1)
   const bounded = areas.reduce((sum, count) => sum + count, 0)
   const middle = short(medianArea, 3)
+  // Cells outside of the region have no area, and an axis of length zero would have endless ticks.
+  const hasAreas = bounded > 1 && areaStep > 0
   return html`
     <figure>
-      <figcaption>${bounded === 0 ? 'No cell is bounded' : bounded === 1 ? `Area of the bounded cell: ${middle}` : `Areas of bounded cells: half are below ${middle}${areas.length > 1 ? `; the last bar: above ${short(largest, 3)}` : ''}`}</figcaption>
-      ${bounded < 2 ? nothing : html`<div class="chart" role="img" aria-label=${`Histogram of areas up to ${short(largest, 3)}; larger ones are in the last bar`}></div>`}
+      <figcaption>${bounded === 0 ? 'No cell is bounded' : bounded === 1 ? `Area of the bounded cell: ${middle}` : `Areas of bounded cells: half are below ${middle}${hasAreas ? `; the last bar: above ${short(largest, 3)}` : ''}`}</figcaption>
+      ${!hasAreas ? nothing : html`<div class="chart" role="img" aria-label=${`Histogram of areas up to ${short(largest, 3)}; larger ones are in the last bar`}></div>`}
     </figure>
-    <figure>
-      <figcaption>Neighbors: ${mean.toFixed(2)} on average</figcaption>
-      <div class="chart" role="img" aria-label="Histogram of the number of neighbors"></div>
-    </figure>
+    ${
+      cells === 0
+        ? nothing
+        : html`<figure>
+            <figcaption>Neighbors: ${mean.toFixed(2)} on average</figcaption>
+            <div class="chart" role="img" aria-label="Histogram of the number of neighbors"></div>
+          </figure>`
+    }
     <p class="certificate">
       ${
         certificate.certified

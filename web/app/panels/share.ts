@@ -19,7 +19,7 @@ import { toastCopied } from './toast.ts'
 /** Pixels of a saved picture per pixel on screen. */
 const PICTURE_SCALE = 2
 
-/** The panel of everything that can be passed on: tiles of equal size that say what one gets. */
+/** Mounts the panel for sharing. Each tile is one way to share, and describes its result. */
 export function mountShare(
   actions: FileActions,
   store: Store<State>,

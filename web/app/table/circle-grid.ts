@@ -9,6 +9,7 @@ import type { Circle } from '../../lib/index.ts'
 import type { Column as Measured, Tabulated } from '../../view/protocol.ts'
 import { short } from '../../view/short.ts'
 import type { View } from '../../view/view.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import './table.css'
 import { type CellText, Grid, type GridContent, type Heading } from './grid.ts'
@@ -29,6 +30,8 @@ import {
 
 /** Pause after changes before rows are sorted again, in milliseconds. */
 const REST = 300
+/** The longest text of a value, in letters of JSON. Links keep at most twice as many letters for a circle. */
+const LONGEST_VALUE = 5000
 
 const MEASURED: readonly Measured[] = ['area', 'degree', 'gap']
 const HEADINGS: Readonly<Record<(typeof COLUMNS)[number], Heading>> = {
@@ -226,6 +229,13 @@ export class CircleGrid implements GridContent {
       return false
     }
     const byId = new Map(values.map(([id, , value]) => [id, value as string]))
+    const long = values.find(([id]) => (byId.get(id) as string).length > LONGEST_VALUE)
+    if (long !== undefined) {
+      const [id, { length }] = long
+      const [most, got] = [LONGEST_VALUE, length].map(wholeNumber)
+      this.#actions.complain(`Circle ${id}: ${column.name} must not be longer than ${most} letters (got ${got}).`)
+      return false
+    }
     return (await this.#editing.setValues(column.name, byId)) !== undefined
   }
 
