@@ -52,7 +52,8 @@ struct ExportOptions {
   std::function<Point(Point)> place = {};
 };
 
-/// Returns the default box if no digits are given.
+/// Returns the box to which cells, edges and polygons are clipped if neither bounds nor a region are given: the default
+/// of ExportOptions::bounds without digits. It is the same box in JavaScript, in Python and in the program.
 [[nodiscard]] CIRCLE_VORONOI_API Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
 
 // The functions below write a certified diagram to a stream. The polygons of cells are counter-clockwise and do not
@@ -102,9 +103,10 @@ CIRCLE_VORONOI_API Result<void> writeSvgFigure(std::ostream& out, const Diagram&
 
 /// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
 /// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
-/// circle, r, area, neighbors (circles), and for hidden circles hiddenBy. If bounds, a region or a maximum distance is
-/// given, neighbors lists only circles that share a part of an edge inside. The member bbox of the collection is the
-/// box to which cells are cut, unless ExportOptions::place is given.
+/// circle, r, area, neighbors (circles), for clipped cells clipped (true), and for hidden circles hiddenBy. If bounds, a
+/// region or a maximum distance is given, area is that of the part inside, and neighbors lists only circles that share a
+/// part of an edge inside. Otherwise area is that of the whole cell, and null for an unbounded cell. The member bbox of
+/// the collection is the box to which cells are cut, unless ExportOptions::place is given.
 CIRCLE_VORONOI_API Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram,
                                              const ExportOptions& options = {});
 
