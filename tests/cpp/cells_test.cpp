@@ -321,7 +321,8 @@ TEST(Cells, MeasuresOfWholeCellsAreInfiniteWhereTheCellIsUnbounded) {
   EXPECT_EQ(cellArea(diagram, 5), 0) << "hidden";
   EXPECT_EQ(cellPerimeter(diagram, 5), 0);
   EXPECT_TRUE(std::isnan(cellCentroid(diagram, 5).y));
-  EXPECT_EQ(cellArea(diagramOf({{1, 2, 3}}), 0), std::numeric_limits<double>::infinity()) << "the plane";
+  const std::vector<Circle> one = {{1, 2, 3}};
+  EXPECT_EQ(cellArea(diagramOf(one), 0), std::numeric_limits<double>::infinity()) << "the plane";
 }
 
 TEST(Cells, TheCentroidOfANeedleIsInItsBox) {

@@ -12,6 +12,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/tile.h"
 #include "circle_voronoi_families/families.h"
 #include "far_apart.h"
@@ -351,6 +352,24 @@ TEST(Export, WithoutLimitsAreasAreThoseOfWholeCellsAndPolygonsAreClippedToTheDef
   }
 }
 
+TEST(Export, SvgHasTheNamesOfCirclesAsTitles) {
+  // The last circle is hidden, and the one before it is a point.
+  const std::vector<Circle> circles = {{0, 0, 2}, {9, 0, 1}, {0, 9, 0}, {0.5, 0, 1}};
+  CircleAttributes attributes;
+  attributes.properties = {R"("label":"a","Name":"A & <B>")", R"("pop":7)", R"("title":"C","name":null)", R"("name":4)"};
+  const std::string svg = textOf(writeSvg, circles, {.attributes = &attributes});
+  EXPECT_EQ(countOf(svg, "<title>A &amp; &lt;B></title></path>"), 1U) << svg;
+  EXPECT_EQ(countOf(svg, "<title>A &amp; &lt;B></title></circle>"), 1U);
+  EXPECT_EQ(countOf(svg, "<title>C</title></path>"), 2U) << "cell and point";
+  EXPECT_EQ(countOf(svg, "<title>4</title></circle>"), 1U);
+  EXPECT_EQ(countOf(svg, "<title>"), 1 + 2 + 2 + 1U) << "one for the drawing";
+  EXPECT_EQ(countOf(textOf(writeSvg, circles), "<title>"), 1U);
+  const auto periodic = computePeriodic(circles, {{20, 0}, {0, 20}}).value();
+  std::ostringstream out;
+  EXPECT_TRUE(writePeriodicSvg(out, periodic, {.attributes = &attributes}));
+  EXPECT_EQ(countOf(out.str(), "<title>C</title>"), 2U);
+}
+
 /// Two circles, one of which has the hull's longer arc.
 const std::vector<Circle> kLargeArc = {{0, 0, 5}, {6.2, 0, 1}};
 
@@ -501,7 +520,7 @@ TEST(Export, SvgHasItsLayers) {
   EXPECT_EQ(svg.find(" id="), std::string::npos);
   const std::string style = svg.substr(svg.find("<style>\n"), svg.find("</style>") - svg.find("<style>\n"));
   EXPECT_EQ(countOf(style, ".circle-voronoi "), countOf(style, "{") + countOf(style, ","));
-  EXPECT_NE(svg.find("class=\"circle-voronoi\">"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"circle-voronoi\" role=\"img\">"), std::string::npos);
   EXPECT_EQ(countOf(svg, "<g"), countOf(svg, "</g>"));
   EXPECT_EQ(countOf(svg, " r=\"") - countOf(svg, "data-vertex"), circles.size());
   EXPECT_EQ(svg.find("nan"), std::string::npos);

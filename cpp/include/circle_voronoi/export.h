@@ -41,7 +41,8 @@ struct ExportOptions {
   /// tolerance determines the number. With this option rounding may move points by more than the tolerance, and the
   /// default box grows to coordinates with that many digits.
   std::optional<int> digits = {};
-  /// Data of GeoJSON features beside their own properties (readCircleFile): other properties, the id of the feature,
+  /// Names of circles in `writeSvg`: the first usual property such as name or label. Data of GeoJSON features beside
+  /// their own properties (readCircleFile): other properties, the id of the feature,
   /// the height as the property `z`, and the members of the collection. A property with a name that `writeGeoJson` uses
   /// itself, such as area, gets `input_` in front. It must outlive the call.
   const CircleAttributes* attributes = nullptr;
@@ -75,7 +76,8 @@ struct ExportOptions {
 /// and groups of the classes cells, dual, circles, edges, vertices and hull. Curves are cubic Bezier curves, and arcs
 /// of circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of
 /// negative radius have the class point. The look of a group is attributes, which a style sheet of yours overrides.
-/// Several drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet.
+/// Several drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet. The drawing has a
+/// title and a description for screen readers, and the name of a circle is the title (tooltip) of circle and cell.
 CIRCLE_VORONOI_API Result<void> writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// A group of marks in a figure.

@@ -50,7 +50,7 @@ CANDIDATES = ("dynamic", "uniform", "all-pairs")
 FORMATS = ("json", "csv", "cells", "svg", "geojson", "geojsonl", "wkt", "obj")
 # The formats that are not clipped to bounds, and those that say more about circles than x, y and r.
 _UNCLIPPED = ("json", "csv")
-_ATTRIBUTED = ("json", "cells", "geojson", "geojsonl")
+_ATTRIBUTED = ("json", "cells", "svg", "geojson", "geojsonl")
 _XYR = ("x", "y", "r")
 
 
@@ -568,8 +568,9 @@ class Diagram:
         digits : int, optional
             The largest number of digits after the decimal point.
         attributes : DataFrame with n rows, or sequence of n mappings, optional
-            More members for the circles of json, columns of cells, or properties for the features of GeoJSON. NaN and other missing values
-            become null, and times become ISO 8601 texts. A geometry column is left out.
+            More members for the circles of json, columns of cells, or properties for the features of GeoJSON. In svg,
+            names are tooltips. NaN and other missing values become null, and times become ISO 8601 texts. A geometry
+            column is left out.
 
         Returns
         -------
