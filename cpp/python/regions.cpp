@@ -86,7 +86,8 @@ Clip clipOf(const SharedDiagram& diagram, const Limits& limits) {
   return {diagram, region, valueOf(ClippedDiagram::from(*diagram, *region, limits.maxDistance))};
 }
 
-/// A measure of each cell: of its part inside by `ofClip` if there are limits, otherwise of the whole cell by `ofWhole`.
+/// A measure of each cell: of its part inside by `ofClip` if there are limits, otherwise of the whole cell by
+/// `ofWhole`.
 template <class Value>
 py::array measured(const SharedDiagram& diagram, const Limits& limits, Value (*ofWhole)(const Diagram&, CircleIndex),
                    std::vector<Value> (ClippedDiagram::*ofClip)() const) {
@@ -121,13 +122,14 @@ py::tuple exportBounds(const Diagram& diagram, std::optional<double> maxDistance
 /// Whether the limits, or without them the box of `exportBounds`, cut each cell.
 py::array clippedCells(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
   return arrayOf<std::uint8_t>(interruptible([=](const Cancellation&) {
-    const Clip clip = clipOf(diagram, {region, maxDistance});
-    std::vector<std::uint8_t> are(diagram->circles.size());
-    for (std::size_t i = 0; i < are.size(); ++i) {
-      are[i] = clip.clipped.placeOf(static_cast<std::int32_t>(i)) == ClippedDiagram::Place::cut ? 1 : 0;
-    }
-    return are;
-  })).attr("view")("bool");
+           const Clip clip = clipOf(diagram, {region, maxDistance});
+           std::vector<std::uint8_t> are(diagram->circles.size());
+           for (std::size_t i = 0; i < are.size(); ++i) {
+             are[i] = clip.clipped.placeOf(static_cast<std::int32_t>(i)) == ClippedDiagram::Place::cut ? 1 : 0;
+           }
+           return are;
+         }))
+      .attr("view")("bool");
 }
 
 /// Offsets of polygons by circle, of rings by polygon and of points by ring, and the points.

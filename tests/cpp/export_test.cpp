@@ -356,7 +356,8 @@ TEST(Export, SvgHasTheNamesOfCirclesAsTitles) {
   // The last circle is hidden, and the one before it is a point.
   const std::vector<Circle> circles = {{0, 0, 2}, {9, 0, 1}, {0, 9, 0}, {0.5, 0, 1}};
   CircleAttributes attributes;
-  attributes.properties = {R"("label":"a","Name":"A & <B>")", R"("pop":7)", R"("title":"C","name":null)", R"("name":4)"};
+  attributes.properties = {R"("label":"a","Name":"A & <B>")", R"("pop":7)", R"("title":"C","name":null)",
+                           R"("name":4)"};
   const std::string svg = textOf(writeSvg, circles, {.attributes = &attributes});
   EXPECT_EQ(countOf(svg, "<title>A &amp; &lt;B></title></path>"), 1U) << svg;
   EXPECT_EQ(countOf(svg, "<title>A &amp; &lt;B></title></circle>"), 1U);

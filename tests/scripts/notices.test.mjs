@@ -8,7 +8,16 @@ import { expect, it } from 'vitest'
 const ROOT = new URL('../..', import.meta.url).pathname
 const ENTRIES = [
   ...['element/index', 'element/react', 'view/painter/start-thread', 'picture/index', 'picture/command'],
-  ...['lib/index', 'lib/worker', 'lib/files', 'lib/regions', 'lib/metrics', 'lib/sphere', 'lib/link', 'lib/worker-thread'],
+  ...[
+    'lib/index',
+    'lib/worker',
+    'lib/files',
+    'lib/regions',
+    'lib/metrics',
+    'lib/sphere',
+    'lib/link',
+    'lib/worker-thread',
+  ],
   'cli/circle-voronoi',
 ]
 
@@ -28,7 +37,12 @@ it('names the packages in bundles, with their licenses', async () => {
     logLevel: 'error',
     entryPoints: ENTRIES.map((name) => `web/${name}.ts`),
     external: ['react', 'circle-voronoi/*'],
-    plugins: [{ name: 'others', setup: ({ onResolve }) => onResolve({ filter: /\?|\/generated\// }, () => ({ external: true })) }],
+    plugins: [
+      {
+        name: 'others',
+        setup: ({ onResolve }) => onResolve({ filter: /\?|\/generated\// }, () => ({ external: true })),
+      },
+    ],
   })
   const packages = new Set(
     Object.keys(metafile.inputs).flatMap((file) => /^node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(file)?.[1] ?? []),

@@ -105,10 +105,10 @@ CIRCLE_VORONOI_API Result<void> writeSvgFigure(std::ostream& out, const Diagram&
 
 /// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
 /// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
-/// circle, r, area, neighbors (circles), for clipped cells clipped (true), and for hidden circles hiddenBy. If bounds, a
-/// region or a maximum distance is given, area is that of the part inside, and neighbors lists only circles that share a
-/// part of an edge inside. Otherwise area is that of the whole cell, and null for an unbounded cell. The member bbox of
-/// the collection is the box to which cells are cut, unless ExportOptions::place is given.
+/// circle, r, area, neighbors (circles), for clipped cells clipped (true), and for hidden circles hiddenBy. If bounds,
+/// a region or a maximum distance is given, area is that of the part inside, and neighbors lists only circles that
+/// share a part of an edge inside. Otherwise area is that of the whole cell, and null for an unbounded cell. The member
+/// bbox of the collection is the box to which cells are cut, unless ExportOptions::place is given.
 CIRCLE_VORONOI_API Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram,
                                              const ExportOptions& options = {});
 

@@ -57,8 +57,8 @@ struct ExportFrame {
 /// edge inside, each once.
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle);
 
-/// Returns the area of each cell. If the options clip the diagram, this is the area of its part inside; otherwise that of
-/// the whole cell, which is infinite if the cell is unbounded.
+/// Returns the area of each cell. If the options clip the diagram, this is the area of its part inside; otherwise that
+/// of the whole cell, which is infinite if the cell is unbounded.
 std::vector<double> areasIn(const ExportFrame& frame);
 
 /// Returns the perimeter of each cell or part, like `areasIn`.

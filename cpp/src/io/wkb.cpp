@@ -63,7 +63,7 @@ class WkbTranslator {
   std::uint32_t integer(bool isLittle) { return static_cast<std::uint32_t>(bytes(4, isLittle)); }
   double number(bool isLittle) { return bitCast<double>(bytes(8, isLittle)); }
 
-  /// How the numbers of a geometry are stored.
+  /// The byte order and the number of coordinates of a geometry.
   struct Form {
     bool isLittle;
     bool hasZ;

@@ -228,8 +228,7 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 }
 
 /// Circles of radius below `visible` are drawn as dots.
-void writeCircles(Writer& out, const ExportFrame& frame, double visible, std::int32_t count,
-                  const CircleNames& names) {
+void writeCircles(Writer& out, const ExportFrame& frame, double visible, std::int32_t count, const CircleNames& names) {
   const Box& box = frame.box;
   const auto& circles = frame.diagram.circles;
   for (std::int32_t i = 0; i < count; ++i) {
