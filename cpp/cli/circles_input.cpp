@@ -115,12 +115,8 @@ void noteSkipped(const CircleFile& file, ProgressLine& progress) {
        progress);
 }
 
-void noteHidden(std::size_t hidden, std::size_t count, const std::string& unit, ProgressLine& progress) {
-  if (4 * hidden <= count) return;
-  note(std::to_string(hidden) + " of " + std::to_string(count) +
-           " circles are hidden inside others and have no cell. Perhaps their radii have " + unit +
-           ", or are diameters or another column (see --radius).",
-       progress);
+void noteHidden(const std::string& warning, const std::string& options, ProgressLine& progress) {
+  if (!warning.empty()) note(warning + " See " + options + ".", progress);
 }
 
 void noteDegrees(const CircleFile& file, ProgressLine& progress) {

@@ -48,9 +48,9 @@ CircleFile readInput(const CirclesInput& input, const std::string& text);
 /// Reports on standard error the number of skipped rows, if any, and the error of the first.
 void noteSkipped(const CircleFile& file, ProgressLine& progress);
 
-/// Prints a hint on standard error if more than a quarter of the circles of a file are hidden. `unit` says which unit
-/// their radii may have by mistake.
-void noteHidden(std::size_t hidden, std::size_t count, const std::string& unit, ProgressLine& progress);
+/// Prints a hint on standard error, the warning about hidden circles, if it is not empty. `options` are those that may
+/// help.
+void noteHidden(const std::string& warning, const std::string& options, ProgressLine& progress);
 
 /// Prints a hint on standard error if circles are given in degrees, for a diagram of the plane.
 void noteDegrees(const CircleFile& file, ProgressLine& progress);

@@ -7,6 +7,7 @@
 #include "box.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/compute_periodic.h"
+#include "circle_voronoi/hidden_warning.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/periodic_diagram.h"
 #include "circle_voronoi/progress.h"
@@ -141,8 +142,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
     });
   }
   noteSkipped(file, progress);
-  noteHidden(diagram.hidden.size(), diagram.circles.size(),
-             "another unit than x and y, as meters and degrees do (see --sphere and --project)", progress);
+  noteHidden(hiddenWarning(diagram), "--sphere, --project and --radius", progress);
   writeDiagram(arguments.output, name, diagram, progress);
 }
 

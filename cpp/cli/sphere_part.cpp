@@ -73,7 +73,7 @@ SphereDiagram diagramOnSphere(const SpherePart& part, const CirclesInput& input,
   auto diagram = computeSphere(caps, {kEarthRadii.at(part.unit), input.weights(), threads});
   if (!diagram) fail(diagram.error(), inputName(input.file) + ": ");
   noteSkipped(file, progress);
-  noteHidden(diagram->hidden.size(), caps.size(), "another unit (see --unit)", progress);
+  noteHidden(hiddenWarning(*diagram), "--unit and --radius", progress);
   return std::move(diagram).value();
 }
 

@@ -18,6 +18,7 @@
 #include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
+#include "circle_voronoi/hidden_warning.h"
 #include "circle_voronoi/queries.h"
 #include "errors.h"
 #include "interruptible.h"
@@ -104,6 +105,7 @@ void addDiagram(py::module_& module) {
       .def_property_readonly("metric", [](const Diagram& d) { return std::string(metricName(d.metric)); })
       .def_property_readonly("weights", [](const Diagram& d) { return d.weights; })
       .def_property_readonly("certificate", [](const Diagram& d) { return certificateOf(d.certificate); })
+      .def_property_readonly("hidden_warning", [](const Diagram& d) { return hiddenWarning(d); })
       .def_property_readonly("stats", [](const Diagram& d) { return statsOf(d.stats); })
       .def("neighbors", [](const Diagram& d, std::int32_t i) { return arrayOf<std::int32_t>(neighbors(d, i)); })
       .def("neighbor_pairs", [](const Diagram& d) { return arrayOf<std::int32_t>(neighborPairs(d)); })

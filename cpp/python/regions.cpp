@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,9 +56,7 @@ SharedRegion regionOfRings(const std::vector<Doubles>& rings, bool dissolve) {
   return std::make_shared<Region>(valueOf(Region::fromRings(copies, {.dissolve = dissolve})));
 }
 
-SharedRegion defaultRegion(const SharedDiagram& diagram) {
-  return std::make_shared<Region>(valueOf(Region::from(exportBox(diagram->circles))));
-}
+py::tuple tupleOf(const Box& box) { return py::make_tuple(box.minX, box.minY, box.maxX, box.maxY); }
 
 SharedRegion regionOfBox(const std::array<double, 4>& bounds) {
   return std::make_shared<Region>(valueOf(Region::from(Box{bounds[0], bounds[1], bounds[2], bounds[3]})));
@@ -89,51 +86,50 @@ Clip clipOf(const SharedDiagram& diagram, const Limits& limits) {
   return {diagram, region, valueOf(ClippedDiagram::from(*diagram, *region, limits.maxDistance))};
 }
 
-/// The outline of a whole cell; nothing if it is unbounded.
-std::optional<Outline> wholeOutline(const Diagram& diagram, CircleIndex circle) {
-  Outline whole = outline(diagram, circle);
-  if (whole.empty() && diagram.hasCell(circle)) return {};
-  return whole;
-}
-
-/// A measure of each cell: of whole cells by `ofWhole`, with `unbounded` for unbounded ones, otherwise by `ofClip`.
-template <class Value, class OfWhole, class OfClip>
-std::vector<Value> measured(const SharedDiagram& diagram, const Limits& limits, Value unbounded, OfWhole ofWhole,
-                            OfClip ofClip) {
-  return interruptible([=](const Cancellation& cancellation) {
-    if (limits.areSet()) return ofClip(clipOf(diagram, limits).clipped);
+/// A measure of each cell: of its part inside by `ofClip` if there are limits, otherwise of the whole cell by
+/// `ofWhole`.
+template <class Value>
+py::array measured(const SharedDiagram& diagram, const Limits& limits, Value (*ofWhole)(const Diagram&, CircleIndex),
+                   std::vector<Value> (ClippedDiagram::*ofClip)() const) {
+  return arrayOf<double>(interruptible([=](const Cancellation& cancellation) {
+    if (limits.areSet()) return (clipOf(diagram, limits).clipped.*ofClip)();
     std::vector<Value> values;
     for (std::size_t i = 0; i < diagram->circles.size(); ++i) {
       if (i % 1024 == 0) cancellation.check();
-      const auto outline = wholeOutline(*diagram, static_cast<std::int32_t>(i));
-      values.push_back(outline ? ofWhole(*outline) : unbounded);
+      values.push_back(ofWhole(*diagram, static_cast<std::int32_t>(i)));
     }
     return values;
-  });
+  }));
 }
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 py::array areas(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
-  return arrayOf<double>(measured(
-      diagram, {region, maxDistance}, kInfinite, [](const Outline& outline) { return area(outline); },
-      [](const ClippedDiagram& clipped) { return clipped.areas(); }));
+  return measured(diagram, {region, maxDistance}, cellArea, &ClippedDiagram::areas);
 }
 
 py::array centroids(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
-  return arrayOf<double>(measured(
-      diagram, {region, maxDistance}, Point{kNan, kNan},
-      [](const Outline& outline) {
-        return outline.empty() ? Point{kNan, kNan} : centroid(outline);
-      },
-      [](const ClippedDiagram& clipped) { return clipped.centroids(); }));
+  return measured(diagram, {region, maxDistance}, cellCentroid, &ClippedDiagram::centroids);
 }
 
 py::array perimeters(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
-  return arrayOf<double>(measured(
-      diagram, {region, maxDistance}, kInfinite, [](const Outline& outline) { return perimeter(outline); },
-      [](const ClippedDiagram& clipped) { return clipped.perimeters(); }));
+  return measured(diagram, {region, maxDistance}, cellPerimeter, &ClippedDiagram::perimeters);
+}
+
+/// The box to which polygons and drawings are clipped without other limits.
+py::tuple exportBounds(const Diagram& diagram, std::optional<double> maxDistance) {
+  return tupleOf(exportBox(diagram.circles, maxDistance));
+}
+
+/// Whether the limits, or without them the box of `exportBounds`, cut each cell.
+py::array clippedCells(const SharedDiagram& diagram, const SharedRegion& region, std::optional<double> maxDistance) {
+  return arrayOf<std::uint8_t>(interruptible([=](const Cancellation&) {
+           const Clip clip = clipOf(diagram, {region, maxDistance});
+           std::vector<std::uint8_t> are(diagram->circles.size());
+           for (std::size_t i = 0; i < are.size(); ++i) {
+             are[i] = clip.clipped.placeOf(static_cast<std::int32_t>(i)) == ClippedDiagram::Place::cut ? 1 : 0;
+           }
+           return are;
+         }))
+      .attr("view")("bool");
 }
 
 /// Offsets of polygons by circle, of rings by polygon and of points by ring, and the points.
@@ -320,11 +316,7 @@ py::tuple treemapOf(const Ints& parents, const Doubles& values, const SharedRegi
 void addRegions(py::module_& module) {
   py::class_<Region, SharedRegion>(module, "Region")
       .def_property_readonly("area", &Region::area)
-      .def_property_readonly("bounds",
-                             [](const Region& region) {
-                               const Box box = region.bounds();
-                               return py::make_tuple(box.minX, box.minY, box.maxX, box.maxY);
-                             })
+      .def_property_readonly("bounds", [](const Region& region) { return tupleOf(region.bounds()); })
       .def_property_readonly("points",
                              [](const SharedRegion& region) { return viewOf<double>(region, region->points()); })
       .def_property_readonly(
@@ -336,10 +328,11 @@ void addRegions(py::module_& module) {
   module.def("read_region", readSharedRegion);
   module.def("region_of_rings", regionOfRings);
   module.def("region_of_box", regionOfBox);
-  module.def("default_region", defaultRegion);
+  module.def("export_box", exportBounds);
   module.def("areas", areas);
   module.def("centroids", centroids);
   module.def("perimeters", perimeters);
+  module.def("clipped_cells", clippedCells);
   module.def("polygons", polygons);
   module.def("neighbors_inside", neighborsInside);
   module.def("pairs_inside", pairsInside);

@@ -99,6 +99,7 @@ void addSphere(py::module_& module) {
       .def_property_readonly("hidden", [](const SharedSphere& s) { return view<std::int32_t>(s, s->hidden); })
       .def_property_readonly("radius", [](const SphereDiagram& s) { return s.radius; })
       .def_property_readonly("weights", [](const SphereDiagram& s) { return s.weights; })
+      .def_property_readonly("hidden_warning", [](const SphereDiagram& s) { return hiddenWarning(s); })
       .def_property_readonly("rounding", [](const SphereDiagram& s) { return s.rounding; })
       .def("neighbors",
            [](const SphereDiagram& s, std::int32_t cap) { return arrayOf<std::int32_t>(neighbors(s, cap)); })

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "circle_voronoi/compute.h"
@@ -302,6 +303,26 @@ TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
     for (const OutlinePiece& piece : shape[0]) EXPECT_TRUE(piece.side != kNone || piece.curve.start != piece.curve.end);
     EXPECT_DOUBLE_EQ(area(shape), size);
   }
+}
+
+TEST(Cells, MeasuresOfWholeCellsAreInfiniteWhereTheCellIsUnbounded) {
+  // The cell of the first circle is a square.
+  const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {-4, 0, 1}, {0, -4, 1}, {0.25, 0, 0.5}};
+  const Diagram diagram = diagramOf(circles);
+  EXPECT_DOUBLE_EQ(cellArea(diagram, 0), 16);
+  EXPECT_DOUBLE_EQ(cellPerimeter(diagram, 0), 16);
+  EXPECT_NEAR(cellCentroid(diagram, 0).x, 0, 1e-15);
+  EXPECT_NEAR(cellCentroid(diagram, 0).y, 0, 1e-15);
+  for (CircleIndex i = 1; i < 5; ++i) {
+    EXPECT_EQ(cellArea(diagram, i), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(cellPerimeter(diagram, i), std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(std::isnan(cellCentroid(diagram, i).x));
+  }
+  EXPECT_EQ(cellArea(diagram, 5), 0) << "hidden";
+  EXPECT_EQ(cellPerimeter(diagram, 5), 0);
+  EXPECT_TRUE(std::isnan(cellCentroid(diagram, 5).y));
+  const std::vector<Circle> one = {{1, 2, 3}};
+  EXPECT_EQ(cellArea(diagramOf(one), 0), std::numeric_limits<double>::infinity()) << "the plane";
 }
 
 TEST(Cells, TheCentroidOfANeedleIsInItsBox) {

@@ -123,6 +123,10 @@ TEST_F(CliColumns, ManyHiddenCirclesCauseAHint) {
               err.npos)
       << err;
   EXPECT_NE(err.find("--project"), std::string::npos);
+  // By other metrics, circles without a cell are usual.
+  const std::string crowd = write("crowd.csv", "-2,0,9\n2,0,9\n0,2,9\n0,-2,9\n0,0,1\n0.1,0,1\n0,0.1,1\n");
+  EXPECT_NE(run("compute " + crowd + " --format wkt").err, "");
+  textOf("compute " + crowd + " --metric power --format wkt");
   textOf("compute " + write("quarter.csv", "0,0,9\n1,1,1\n20,0,1\n0,20,1\n") + " --format wkt");
 }
 

@@ -153,7 +153,7 @@ TEST_F(CliCrs, IsTakenFromTheInput) {
 
 TEST_F(CliCrs, IsRefusedWhereItHasNoMeaning) {
   expectFailure(run("compute " + circles_ + " --crs UTM --format geojson"), 2,
-                "The reference system \"UTM\" is not like EPSG:25832, nor a URN.");
+                "--crs must be like EPSG:25832, or a URN (got \"UTM\").");
   expectFailure(run("compute " + circles_ + " --crs EPSG:25832 --format svg"), 2,
                 "--crs needs --format geojson or json.");
   expectFailure(run("compute " + circles_ + " --crs EPSG:25832 --project local"), 2,

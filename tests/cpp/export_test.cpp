@@ -12,6 +12,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/compute_periodic.h"
 #include "circle_voronoi/tile.h"
 #include "circle_voronoi_families/families.h"
 #include "far_apart.h"
@@ -61,6 +62,8 @@ TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
     const auto circles = generate(family, 80, 3);
     const Box box = exportBox(circles);
     const double whole = (box.maxX - box.minX) * (box.maxY - box.minY);
+    const Region region = test::regionOf(box);
+    const Diagram diagram = compute(circles).value();
     const Json file = Json::parse(textOf(writeGeoJson, circles));
     EXPECT_EQ(file["type"], "FeatureCollection");
     ASSERT_EQ(file["features"].size(), circles.size());
@@ -79,8 +82,7 @@ TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
         polygons += test::areaOf(ring);
         for (std::size_t k = 1; k < ring.size(); ++k) ++steps[{ring[k - 1], ring[k]}];
       }
-      const double area = feature["properties"]["area"];
-      EXPECT_NEAR(polygons, area, 1e-3 * whole);
+      EXPECT_NEAR(polygons, area(outline(diagram, static_cast<std::int32_t>(i), region)), 1e-3 * whole);
       sum += polygons;
     }
     EXPECT_NEAR(sum / whole, 1, 1e-9);
@@ -306,13 +308,67 @@ TEST(Export, AreasAreThoseOfTheCells) {
     const Region box = test::regionOf(exportBox(circles));
     // The areas of narrow cells are tiny compared with the triangles whose areas are summed.
     const double rounding = 1e-15 * box.area();
-    const Json file = Json::parse(textOf(writeGeoJson, circles));
+    const Json file = Json::parse(textOf(writeGeoJson, circles, {.bounds = exportBox(circles)}));
     for (std::size_t i = 0; i < circles.size(); ++i) {
       const double expected = area(outline(diagram, static_cast<std::int32_t>(i), box));
       EXPECT_NEAR(file["features"][i]["properties"]["area"], expected, 1e-9 * std::abs(expected) + rounding)
           << family.name << ' ' << i;
     }
   }
+}
+
+TEST(Export, WithoutLimitsAreasAreThoseOfWholeCellsAndPolygonsAreClippedToTheDefaultBox) {
+  for (const FamilyInfo& family : families()) {
+    if (test::isTooWideToDraw(family.family)) continue;
+    const auto circles = generate(family.family, 60, 2);
+    const Diagram diagram = compute(circles).value();
+    const Box box = exportBox(circles);
+    const Region region = test::regionOf(box);
+    const Json file = Json::parse(textOf(writeGeoJson, circles));
+    const Json clipped = Json::parse(textOf(writeGeoJson, circles, {.bounds = box}));
+    EXPECT_EQ(file["bbox"], (Json{box.minX, box.minY, box.maxX, box.maxY}));
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(i));
+      const auto circle = static_cast<std::int32_t>(i);
+      const Json& feature = file["features"][i];
+      EXPECT_EQ(feature["geometry"], clipped["features"][i]["geometry"]);
+      const Json& properties = feature["properties"];
+      const bool isPlane = diagram.hasCell(circle) && diagram.sides(circle).empty();
+      const bool isUnbounded = isPlane || std::ranges::any_of(diagram.sides(circle), [&](SideIndex side) {
+                                 return diagram.originOf(side) == kNone;
+                               });
+      EXPECT_EQ(properties["area"].is_null(), isUnbounded);
+      if (!properties["area"].is_null()) {
+        EXPECT_EQ(properties["area"], area(outline(diagram, circle)));
+      }
+      // The border of a clipped cell has a piece that belongs to no side of the cell.
+      bool isCut = false;
+      for (const auto& loop : outline(diagram, circle, region)) {
+        isCut = isCut || std::ranges::any_of(loop, [](const OutlinePiece& piece) { return piece.side == kNone; });
+      }
+      EXPECT_EQ(properties.value("clipped", false), isCut);
+      EXPECT_EQ(clipped["features"][i]["properties"].value("clipped", false), isCut);
+    }
+  }
+}
+
+TEST(Export, SvgHasTheNamesOfCirclesAsTitles) {
+  // The last circle is hidden, and the one before it is a point.
+  const std::vector<Circle> circles = {{0, 0, 2}, {9, 0, 1}, {0, 9, 0}, {0.5, 0, 1}};
+  CircleAttributes attributes;
+  attributes.properties = {R"("label":"a","Name":"A & <B>")", R"("pop":7)", R"("title":"C","name":null)",
+                           R"("name":4)"};
+  const std::string svg = textOf(writeSvg, circles, {.attributes = &attributes});
+  EXPECT_EQ(countOf(svg, "<title>A &amp; &lt;B></title></path>"), 1U) << svg;
+  EXPECT_EQ(countOf(svg, "<title>A &amp; &lt;B></title></circle>"), 1U);
+  EXPECT_EQ(countOf(svg, "<title>C</title></path>"), 2U) << "cell and point";
+  EXPECT_EQ(countOf(svg, "<title>4</title></circle>"), 1U);
+  EXPECT_EQ(countOf(svg, "<title>"), 1 + 2 + 2 + 1U) << "one for the drawing";
+  EXPECT_EQ(countOf(textOf(writeSvg, circles), "<title>"), 1U);
+  const auto periodic = computePeriodic(circles, {{20, 0}, {0, 20}}).value();
+  std::ostringstream out;
+  EXPECT_TRUE(writePeriodicSvg(out, periodic, {.attributes = &attributes}));
+  EXPECT_EQ(countOf(out.str(), "<title>C</title>"), 2U);
 }
 
 /// Two circles, one of which has the hull's longer arc.
@@ -465,7 +521,7 @@ TEST(Export, SvgHasItsLayers) {
   EXPECT_EQ(svg.find(" id="), std::string::npos);
   const std::string style = svg.substr(svg.find("<style>\n"), svg.find("</style>") - svg.find("<style>\n"));
   EXPECT_EQ(countOf(style, ".circle-voronoi "), countOf(style, "{") + countOf(style, ","));
-  EXPECT_NE(svg.find("class=\"circle-voronoi\">"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"circle-voronoi\" role=\"img\">"), std::string::npos);
   EXPECT_EQ(countOf(svg, "<g"), countOf(svg, "</g>"));
   EXPECT_EQ(countOf(svg, " r=\"") - countOf(svg, "data-vertex"), circles.size());
   EXPECT_EQ(svg.find("nan"), std::string::npos);

@@ -22,6 +22,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/finder.h"
+#include "circle_voronoi/hidden_warning.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/merged.h"
@@ -99,6 +100,8 @@ class Questions {
     Answer("exportBox") << box.minX << box.minY << box.maxX << box.maxY;
     const Box grown = exportBox(diagram_.circles, maxDistance_);
     Answer("exportBox of a distance") << grown.minX << grown.minY << grown.maxX << grown.maxY;
+    const std::string warning = hiddenWarning(diagram_);
+    Answer("hiddenWarning").list(std::vector<CircleIndex>(warning.begin(), warning.end()));
   }
 
   void askEdge(EdgeIndex e) const {
@@ -158,6 +161,7 @@ class Questions {
                                      << curve.bisector.across;
     }
     askOutline(question("outline", i), outline(diagram_, i));
+    Answer(question("whole cell", i)) << cellArea(diagram_, i) << cellPerimeter(diagram_, i);
   }
 
   static void askOutline(const std::string& name, const Outline& parts) {

@@ -66,6 +66,31 @@ test('the cell under the pointer is another one once the pointer has moved', asy
   await soon(async () => before.equals(await page.screenshot())).toBe(false)
 })
 
+test('cells that are redrawn where they change give the picture of all cells', async ({ page }) => {
+  const recipe = pageOfRecipe('Redraw only what changed')
+  await page.addInitScript(`{
+    let frames = 0
+    const request = requestAnimationFrame
+    globalThis.requestAnimationFrame = (draw) => {
+      if (frames < 20) request.call(globalThis, () => draw(40 * frames++))
+      else globalThis.isDrawn = true
+    }
+  }`)
+  const pixels = async (html: string) => {
+    await shown(page, html)
+    await page.waitForFunction('globalThis.isDrawn', undefined, { polling: 100 })
+    return page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
+      return Array.from((canvas.getContext('2d') as CanvasRenderingContext2D).getImageData(0, 0, 480, 300).data)
+    })
+  }
+  const all = await pixels(recipe.replace('draw(change.cells)', 'draw(circles.keys())'))
+  const share = (some: readonly number[]) =>
+    some.filter((value, k) => Math.abs(value - (all[k] as number)) > 40).length / all.length
+  // Lines cover one another in another order.
+  expect(share(await pixels(recipe))).toBeLessThan(0.01)
+  expect(share(await pixels(recipe.replace('draw(change.cells)', '')))).toBeGreaterThan(0.02)
+})
+
 test('a globe turns when it is dragged, and cells cover it', async ({ page }) => {
   await shown(page, pageOfRecipe('Show a globe with d3'))
   await soon(() => colorsIn(page)).toBeGreaterThan(8)

@@ -1197,7 +1197,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
       { cell: 3, edges: 3 },
       'The check cannot be read: there is no circle 3. The circles have the ids 0 to 2.',
     ],
-    ['circles', [[0, 0]], 'Circle 0 does not have three numbers x, y and r.'],
+    ['circles', [[0, 0]], 'Circle 0: r is missing, because the array has 2 items.'],
     ['samples', 'many', 'The samples must be a whole number from 0 (got "many").'],
     ['view', { x: 1, y: 2 }, 'A view is three numbers: x, y and a span above 0.'],
   ]

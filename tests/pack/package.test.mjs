@@ -31,7 +31,7 @@ it('holds the built library and nothing else', () => {
     .filter((name) => name.endsWith('.ts'))
     .map((name) => `dist/cli/${name.replace(/\.ts$/, '.js')}`)
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
-  const others = ['LICENSE', 'README.md', 'package.json']
+  const others = ['LICENSE', 'README.md', 'THIRD-PARTY-NOTICES.txt', 'package.json']
   // The names of shared chunks are derived from their contents.
   const shared = /^dist\/(element|picture)\/(chunk|circle-voronoi-(metrics|regions)|german|link|player)-[A-Z0-9]+\.js$/
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)

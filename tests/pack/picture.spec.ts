@@ -71,6 +71,18 @@ const STATES: Readonly<Record<string, LinkInput>> = {
     lattice: { a: [12, 0], b: [3, 10] },
     edits: [{ kind: 'replace', id: 1, circle: { x: 10, y: -2, r: 1 } }],
   },
+  'names, and colors in any notation of CSS': {
+    circles: CIRCLES,
+    attributes: {
+      properties: [
+        ...['rebeccapurple', 'rgb(10% 20% 30% / 0.5)', 'hsl(120deg 30% 40%)', 'rgb(1 2)'],
+        ...['oklch(60% 0.15 50)', 'color-mix(in srgb, red, blue)', 'currentcolor'],
+      ].map((color) => JSON.stringify({ color, name: `In ${color}` })),
+      ids: CIRCLES.map(() => ''),
+      heights: CIRCLES.map(() => ''),
+      collection: '',
+    },
+  },
   'circles after edits': {
     circles: CIRCLES,
     edits: [

@@ -17,6 +17,7 @@ import {
   convexHull,
   cubicBeziers,
   edgeCurve,
+  hiddenWarning,
   largestEmptyDiscCenteredInHull,
   loadCircleVoronoi,
   mergeVertices,
@@ -174,6 +175,7 @@ function answersOf(diagram, box, maxDistance) {
 
   say('exportBox', ...Object.values(exportBox(circles)))
   say('exportBox of a distance', ...Object.values(exportBox(circles, maxDistance)))
+  say('hiddenWarning', ...Array.from(hiddenWarning(diagram), (letter) => letter.charCodeAt(0)))
   const { nextSide, vertexSides, firstSide } = diagram
   assert.deepEqual(linkSides(diagram), { nextSide, vertexSides, firstSide })
 
@@ -228,6 +230,7 @@ function answersOf(diagram, box, maxDistance) {
       say(`side ${side}`, ...around, from, to, bisector.a, ...of(bisector.across))
     }
     sayOutline(`outline ${i}`, cells.isBounded(i) ? [wholeLoop(cells, i)] : [])
+    say(`whole cell ${i}`, diagram.cellArea(i), diagram.cellPerimeter(i))
   }
 
   if (count > 0) {

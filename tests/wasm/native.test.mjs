@@ -74,6 +74,27 @@ describe('the same bits as the native program, certified, on real circles', () =
   }
 })
 
+describe('the same measures as the native program without limits, and the same box', () => {
+  for (const name of ['bronzefilter.csv', 'spruces.csv', 'waka.csv']) {
+    it(name, () => {
+      const file = `${ROOT}tests/fixtures/${name}`
+      const diagram = library.compute(nativeDiagram(file, {}).circles)
+      const { bbox, features } = JSON.parse(printed('compute', file, '--format', 'geojson'))
+      assert.deepStrictEqual(bbox, Object.values(diagram.exportBox()))
+      const areas = features.map(({ properties }) => properties.area ?? Number.POSITIVE_INFINITY)
+      assert.deepStrictEqual([...diagram.cellAreas()], areas)
+      assert.ok(areas.includes(Number.POSITIVE_INFINITY))
+      const [minX, minY, maxX, maxY] = bbox
+      const isOnBox = ({ start: { x, y }, end }) =>
+        (x === end.x && (x === minX || x === maxX)) || (y === end.y && (y === minY || y === maxY))
+      for (const [i, { properties }] of features.entries()) {
+        const isCut = diagram.cellOutline(i).some((loop) => loop.some(({ curve }) => isOnBox(curve)))
+        assert.equal(properties.clipped ?? false, isCut, `circle ${i}`)
+      }
+    })
+  }
+})
+
 describe('the same bits as the native program, in a region', () => {
   const names = ['bronzefilter.csv', 'spruces.csv', 'waka.csv']
   for (const name of names) {

@@ -132,8 +132,11 @@ describe('circles with attributes', () => {
       const write = () => files.writeDiagram(two, { format, attributes: ATTRIBUTES })
       if (['json', 'geojson', 'geojsonl'].includes(format)) expect(write()).toContain('"n":2')
       else if (format === 'cells') expect(write()).toMatch(/,n\n.*,2\n/)
+      else if (format === 'svg') expect(write()).not.toContain('</title></path>')
       else expect(write).toThrow(`The format ${format} takes no attributes.`)
     }
+    const named = { ...ATTRIBUTES, properties: ['{"Name":"A"}', '{}'] }
+    expect(files.writeDiagram(two, { format: 'svg', attributes: named })).toContain('<title>A</title></path>')
     const kept = files.readDiagramFile(files.writeDiagram(two, { attributes: ATTRIBUTES }), { name: 'a.json' })
     expect(kept.attributes).toEqual(ATTRIBUTES)
     expect({ ...kept.diagram }).toEqual({ ...two })

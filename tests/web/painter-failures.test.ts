@@ -220,7 +220,7 @@ it.each<[string, (scene: SceneClient) => unknown, number, Lost]>([
     expect([started, told.at(-1)]).toEqual([count, lost])
     breaksAt = undefined
     expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([2])
-    const drawn = await scene.ask('svg', { x: 0, y: 0, scale: 1, width: 100, height: 100 }, STYLE)
+    const drawn = await scene.ask('svg', { x: 0, y: 0, scale: 1, width: 100, height: 100 }, STYLE, [])
     expect([drawn?.elements, drawn?.found.hull !== undefined]).toEqual([expect.stringContaining('<'), !lost.layers])
     painter.dispose()
     vi.stubGlobal('Worker', ThreadHere)

@@ -77,3 +77,35 @@ it('has all colors of the style sheets, others in the dark than in the light', (
     expect(light?.length).toBe(dark?.length)
   }
 })
+
+it('has a title, and the names of circles as titles of their cells', async () => {
+  const titlesIn = (svg: string) => Array.from(svg.matchAll(/<title>([^<]*)<\/title>/g), ([, title]) => title)
+  const plain = await renderSVG(STATE)
+  expect(plain).toMatch(/^<svg [^>]*role="img"[^>]*>\n<title>Voronoi diagram of 3 circles<\/title>/)
+  expect(titlesIn(plain)).toHaveLength(1)
+  // The last circle is hidden, and the first one has no name.
+  const circles = [...CIRCLES, [0.5, 0, 1]]
+  const named = await renderSVG({ circles, names: ['', 'A & <B>', 'C', 'D'] })
+  expect(titlesIn(named)).toEqual(['Voronoi diagram of 4 circles', 'A &#38; &#60;B&#62;', 'C'])
+  const steps = { circles, names: ['', 'A', 'C', 'D'], step: 3 }
+  expect(titlesIn(await renderSVG(steps))).toHaveLength(1)
+})
+
+it.each([
+  'rebeccapurple',
+  'rgb(1, 2, 3)',
+  'rgb(10% 20% 30% / 0.5)',
+  'rgba(1, 2, 3, 0.5)',
+  'hsl(120deg 30% 40%)',
+  'hwb(90 10% 10%)',
+  '#aBcd',
+  'oklch(60% 0.15 50)',
+  'color-mix(in srgb, red, blue)',
+])('has circles in the CSS color %s', async (color) => {
+  const properties = [color, 'no color', 'rgb(1 2)'].map((text) => JSON.stringify({ color: text }))
+  const attributes = { properties, ids: ['', '', ''], heights: ['', '', ''], collection: '' }
+  const svg = await renderSVG({ circles: CIRCLES, attributes })
+  expect(svg).toContain(`="${color}"`)
+  expect(svg).not.toContain('no color')
+  expect(svg).not.toContain('rgb(1 2)')
+})

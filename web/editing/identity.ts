@@ -48,15 +48,15 @@ export function namesOf({ circles, attributes }: Attributed): Name[] {
   return named.sort((one, other) => other.r - one.r || one.id - other.id)
 }
 
-/** The colors that circles have by a column; `undefined` if none has one. */
-export function ownColorsOf({ circles, attributes }: Attributed): OwnColors | undefined {
+/** The colors that circles have by a column; `undefined` if none has one. `isRight` tells which texts are colors. */
+export function ownColorsOf({ circles, attributes }: Attributed, isRight = isColor): OwnColors | undefined {
   const column = colorColumn(attributes.columns)
   if (column === undefined) return undefined
   const places = new Map<string, number>()
   const values = new Float64Array(circles.size).fill(Number.NaN)
   for (const id of circles.ids()) {
     const color = textIn(column.values[id]).trim()
-    if (!isColor(color)) continue
+    if (!isRight(color)) continue
     const place = places.get(color) ?? places.size
     places.set(color, place)
     values[id] = place
@@ -64,7 +64,7 @@ export function ownColorsOf({ circles, attributes }: Attributed): OwnColors | un
   return places.size === 0 ? undefined : { values, colors: [...places.keys()] }
 }
 
-/** Whether a text is a CSS color. Outside of browsers, colors have no names. */
+/** Whether a text is a CSS color. Outside of browsers, only those in hexadecimal digits are known. */
 export function isColor(text: string): boolean {
   if (/^#([\da-f]{3,4}|[\da-f]{6}|[\da-f]{8})$/i.test(text)) return true
   return (

@@ -44,7 +44,7 @@ export const CIRCLE_FORMATS = ['csv', 'json', 'geojson'] as const
 export const DIAGRAM_FORMATS = ['json', 'csv', 'cells', 'stats', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj'] as const
 const DRAWN: readonly string[] = ['cells', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj']
 /** The formats that say more about circles than x, y and r. */
-const ATTRIBUTED: readonly string[] = ['json', 'cells', 'geojson', 'geojsonl']
+const ATTRIBUTED: readonly string[] = ['json', 'cells', 'svg', 'geojson', 'geojsonl']
 const READ_OPTIONS = ['weights', 'points', 'x', 'y', 'radius', 'id', 'skipInvalid', 'crs'] as const
 const DRAWN_OPTIONS = ['bounds', 'region', 'maxDistance', 'tolerance'] as const
 
@@ -114,7 +114,8 @@ export interface DiagramFileOptions {
   /**
    * The format. `json` can be read again; `csv`: vertices and edges; `cells`: a table (CSV) with circle, x, y, r, area,
    * perimeter, neighbors and hiddenBy, where unbounded cells have the area `inf` unless something clips them; `stats`: counters and times; `svg`: a drawing with
-   * true curves, one group for each layer; `geojson`: cells as polygons, with circle, r, area and neighbors;
+   * true curves, one group for each layer; `geojson`: cells as polygons, with circle, r, area (`null` for unbounded cells
+   * unless something clips them), neighbors, and `clipped` for clipped cells; its `bbox` is the box to clip to;
    * `geojsonl`: one cell per line; `wkt`: one line for each circle; `obj`: edges and cells. Default: `json`.
    */
   readonly format?: (typeof DIAGRAM_FORMATS)[number] | undefined
@@ -135,7 +136,10 @@ export interface DiagramFileOptions {
    * fail certification. Default: enough digits for a tenth of the tolerance; all digits in `json` and `csv`.
    */
   readonly digits?: number | undefined
-  /** Further data about the circles, for `json`, `geojson` and `geojsonl`. Default: nothing. */
+  /**
+   * Further data about the circles, for `json`, `cells`, `geojson` and `geojsonl`; in `svg`, names are tooltips. Default:
+   * nothing.
+   */
   readonly attributes?: CircleAttributes | undefined
 }
 

@@ -20,7 +20,8 @@ import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { layersFrom, type OverlayLayer, withoutDiagram } from '../view/layers.ts'
 import type { PaintedScene } from '../view/painter/painted-scene.ts'
 import { traced } from '../view/painter/traced.ts'
-import { svgPicture } from '../view/svg-picture.ts'
+import { svgPicture, titlesOf } from '../view/svg-picture.ts'
+import { isCssColor } from './css-color.ts'
 import { SceneBackend } from './scene-backend.ts'
 import type { Scheme } from './scheme.ts'
 import { playerColors, themeStyle } from './theme.ts'
@@ -91,12 +92,13 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     const style = themeStyle(scheme)
     const played = step === undefined ? undefined : playedAt(scene, step, method, scheme)
     const layers = played === undefined ? layersFrom(given) : withoutDiagram(layersFrom(given))
-    scene.setLayers({ ...layers, ownColors: ownColorsOf(editing) })
+    scene.setLayers({ ...layers, ownColors: ownColorsOf(editing, isCssColor) })
     if (scene.isMethodMissing) scene.addMethod()
     if (scene.isPowerMissing) scene.addPower(await loadMetrics({ library: scene.library }))
     const drawn = { lattice: lattice ?? undefined, areSites: areas !== undefined }
     const names = { list: namesOf(editing), circles: editing.circles, domain: drawn }
-    return svgPicture(frame, scene.svg(frame, style), style, layers, names, played ?? [])
+    const above = played ?? []
+    return svgPicture(frame, scene.svg(frame, style, titlesOf(names, above)), style, layers, names, above)
   } finally {
     scene.dispose()
   }

@@ -4,6 +4,7 @@
 import { isRecord } from '../lib/base/check.ts'
 import { COORDINATE_LIMIT } from '../lib/base/coordinate-limits.ts'
 import type { Float64s } from '../lib/index.ts'
+import { hexPoints, type TextPoints } from './hex-points.ts'
 import { COLOR_COLUMN, NAME_COLUMN } from './identity-columns.ts'
 import {
   filled,
@@ -179,7 +180,7 @@ function circlesOfTable(text: string): TextCircles {
     if (first === undefined) throw new TextProblem('no circles')
     if (isHeaderOrCircle(first, separator)) return circlesOfRows([...recordsOf(text, separator)], separator)
     line ??= first.line
-    if (!/POINT/i.test(text)) continue
+    if (!/POINT|\b0[01][\da-f]{40}/i.test(text)) continue
     const rows = [...recordsOf(text, separator)]
     if (pointColumnsOf(rows) !== undefined) return circlesOfRows(rows, separator)
   }
@@ -239,8 +240,10 @@ function pointColumnsOf([header, ...rows]: readonly TextRow[]): { place: number;
 
 const WKT = /^\s*(?:SRID\s*=\s*(\d+)\s*;)?\s*(MULTI)?POINT\s*(?:ZM|Z|M)?\s*\((.*)\)\s*;?\s*$/i
 
-/** The positions of a POINT or a MULTIPOINT; `undefined` if a text is neither. */
-function wktPoints(text: string): { srid: string | undefined; points: readonly (readonly number[])[] } | undefined {
+/** The positions of a POINT or a MULTIPOINT, also in hexadecimal digits; `undefined` if a text is neither. */
+function wktPoints(text: string): TextPoints | undefined {
+  const binary = hexPoints(text)
+  if (binary !== undefined) return binary
   const [, srid, multi, inside] = WKT.exec(text) ?? []
   if (inside === undefined) return undefined
   const positions =

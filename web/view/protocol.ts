@@ -19,6 +19,7 @@ import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange, KeptIds } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
+import type { Name } from './labels.ts'
 import type { Measure, PaintedLayers } from './layers.ts'
 import type { OtherModules } from './load.ts'
 import type { Frame } from './painter/frame.ts'
@@ -94,8 +95,8 @@ export interface Questions {
   touch(x: number, y: number, slack: number): Touching | undefined
   /** The area that a new circle would take. */
   try(circle: Circle): Trial | undefined
-  /** A frame as SVG without highlights, once all results are known. */
-  svg(frame: Frame, style: Style): DrawnSvg | undefined
+  /** A frame as SVG without highlights, once all results are known. `names` are tooltips. */
+  svg(frame: Frame, style: Style, names: readonly Name[]): DrawnSvg | undefined
   /** A frame as a bitmap without highlights. */
   image(frame: Frame, pixelRatio: number, style: Style): ImageBitmap | undefined
   /** The meaning of the colors; `undefined` if they show no measure. */

@@ -33,7 +33,7 @@ import type { DomainChange, GlobalResults, Highlights, Questions, Touching, Tria
 import { Failure, Superseded } from './refusal.ts'
 import type { Answer, Edited, Lost, SceneClient } from './scene-client.ts'
 import { isDark, readStyle, type Style } from './style.ts'
-import { svgPicture } from './svg-picture.ts'
+import { svgPicture, titlesOf } from './svg-picture.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const REST = 80
@@ -347,7 +347,7 @@ export class View {
   /** Returns the visible part, or another one, as SVG text without selection. */
   async toSVG({ camera, size }: ExportView = this, style = this.#style): Promise<string> {
     const frame = { ...camera, ...size }
-    const drawn = await this.#scene.ask('svg', frame, style)
+    const drawn = await this.#scene.ask('svg', frame, style, titlesOf(this.#named, this.#above))
     if (drawn === undefined) throw notDrawn()
     return svgPicture(frame, drawn, style, this.#drawnLayers, this.#named, this.#above)
   }

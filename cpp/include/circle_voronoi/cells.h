@@ -73,4 +73,13 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 /// Returns the length of all pieces (arcLength).
 [[nodiscard]] CIRCLE_VORONOI_API double perimeter(const Outline& outline);
 
+// Measures of whole cells. ClippedDiagram has those of the parts inside a box or another region.
+
+/// Returns the area of a cell, exact up to rounding: infinity if the cell is unbounded, 0 for a hidden circle.
+[[nodiscard]] CIRCLE_VORONOI_API double cellArea(const Diagram& diagram, CircleIndex circle);
+/// Returns the center of mass of a cell, exact up to rounding; NaN if the cell is unbounded, or there is none.
+[[nodiscard]] CIRCLE_VORONOI_API Point cellCentroid(const Diagram& diagram, CircleIndex circle);
+/// Returns the perimeter of a cell, exact up to rounding: infinity if the cell is unbounded, 0 for a hidden circle.
+[[nodiscard]] CIRCLE_VORONOI_API double cellPerimeter(const Diagram& diagram, CircleIndex circle);
+
 }  // namespace circle_voronoi

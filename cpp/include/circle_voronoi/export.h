@@ -41,7 +41,8 @@ struct ExportOptions {
   /// tolerance determines the number. With this option rounding may move points by more than the tolerance, and the
   /// default box grows to coordinates with that many digits.
   std::optional<int> digits = {};
-  /// Data of GeoJSON features beside their own properties (readCircleFile): other properties, the id of the feature,
+  /// Names of circles in `writeSvg`: the first usual property such as name or label. Data of GeoJSON features beside
+  /// their own properties (readCircleFile): other properties, the id of the feature,
   /// the height as the property `z`, and the members of the collection. A property with a name that `writeGeoJson` uses
   /// itself, such as area, gets `input_` in front. It must outlive the call.
   const CircleAttributes* attributes = nullptr;
@@ -52,7 +53,8 @@ struct ExportOptions {
   std::function<Point(Point)> place = {};
 };
 
-/// Returns the default box if no digits are given.
+/// Returns the box to which cells, edges and polygons are clipped if neither bounds nor a region are given: the default
+/// of ExportOptions::bounds without digits. It is the same box in JavaScript, in Python and in the program.
 [[nodiscard]] CIRCLE_VORONOI_API Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
 
 // The functions below write a certified diagram to a stream. The polygons of cells are counter-clockwise and do not
@@ -74,7 +76,8 @@ struct ExportOptions {
 /// and groups of the classes cells, dual, circles, edges, vertices and hull. Curves are cubic Bezier curves, and arcs
 /// of circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of
 /// negative radius have the class point. The look of a group is attributes, which a style sheet of yours overrides.
-/// Several drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet.
+/// Several drawings can be inlined in one page: no rule reaches beyond a drawing, and no ids meet. The drawing has a
+/// title and a description for screen readers, and the name of a circle is the title (tooltip) of circle and cell.
 CIRCLE_VORONOI_API Result<void> writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// A group of marks in a figure.
@@ -102,9 +105,10 @@ CIRCLE_VORONOI_API Result<void> writeSvgFigure(std::ostream& out, const Diagram&
 
 /// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
 /// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
-/// circle, r, area, neighbors (circles), and for hidden circles hiddenBy. If bounds, a region or a maximum distance is
-/// given, neighbors lists only circles that share a part of an edge inside. The member bbox of the collection is the
-/// box to which cells are cut, unless ExportOptions::place is given.
+/// circle, r, area, neighbors (circles), for clipped cells clipped (true), and for hidden circles hiddenBy. If bounds,
+/// a region or a maximum distance is given, area is that of the part inside, and neighbors lists only circles that
+/// share a part of an edge inside. Otherwise area is that of the whole cell, and null for an unbounded cell. The member
+/// bbox of the collection is the box to which cells are cut, unless ExportOptions::place is given.
 CIRCLE_VORONOI_API Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram,
                                              const ExportOptions& options = {});
 

@@ -68,8 +68,8 @@ struct CircleFile {
 /// northing; r, rad or radius. Without such a line there are three columns: x, y, r. If commas do not separate the
 /// fields, or inside quotation marks, commas may be decimal marks. A text has one kind of decimal mark. In place of x
 /// and y, a column of any name may have well-known text: POINT, or MULTIPOINT for several circles with the same
-/// attributes. If this text has an SRID, it is the reference system (ReadOptions::crs). A line `sep=;`, as Excel writes
-/// it, names the separator.
+/// attributes. Well-known binary (WKB) in hexadecimal digits, as PostGIS prints it, is read like this text. If it has
+/// an SRID, that is the reference system (ReadOptions::crs). A line `sep=;`, as Excel writes it, names the separator.
 ///
 /// JSON and GeoJSON have the same names. If an object has several of these names, the first in these lists counts. The
 /// last value of a name that is given twice counts.
@@ -103,8 +103,8 @@ CIRCLE_VORONOI_API Result<CircleFile> readCircleFile(std::string_view text, std:
 CIRCLE_VORONOI_API Result<std::vector<double>> numbersIn(const CircleAttributes& attributes, std::string_view column);
 
 /// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, several of
-/// these one a line, or well-known text (POLYGON, MULTIPOLYGON or a GEOMETRYCOLLECTION of these). Empty parts, an SRID,
-/// and coordinates beyond the second of a position are ignored.
+/// these one a line, or well-known text (POLYGON, MULTIPOLYGON or a GEOMETRYCOLLECTION of these), also as well-known
+/// binary in hexadecimal digits. Empty parts, an SRID, and coordinates beyond the second of a position are ignored.
 ///
 /// `name` is what errors call the text. Messages about the syntax start with `name:line:`, others with `name:`.
 /// Errors: badInput; see also Region::fromPolygons.

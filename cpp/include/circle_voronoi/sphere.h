@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "circle_voronoi/abi.h"
@@ -227,5 +228,9 @@ struct FarthestPlace {
 
 /// Returns the two visible caps with the smallest gap. Returns nothing if fewer than two caps are visible. Linear time.
 [[nodiscard]] CIRCLE_VORONOI_API std::optional<ClosestPair> closestPair(const SphereDiagram& diagram);
+
+/// Returns a sentence for the user if more than a quarter of the caps are hidden, because radii in another unit than
+/// the radius of the sphere hide most caps; otherwise an empty text.
+[[nodiscard]] CIRCLE_VORONOI_API std::string hiddenWarning(const SphereDiagram& diagram);
 
 }  // namespace circle_voronoi

@@ -50,7 +50,7 @@ CANDIDATES = ("dynamic", "uniform", "all-pairs")
 FORMATS = ("json", "csv", "cells", "svg", "geojson", "geojsonl", "wkt", "obj")
 # The formats that are not clipped to bounds, and those that say more about circles than x, y and r.
 _UNCLIPPED = ("json", "csv")
-_ATTRIBUTED = ("json", "cells", "geojson", "geojsonl")
+_ATTRIBUTED = ("json", "cells", "svg", "geojson", "geojsonl")
 _XYR = ("x", "y", "r")
 
 
@@ -210,6 +210,43 @@ class Diagram:
         """
         return Certificate(*self._core.certify())
 
+    def export_box(self, *, max_distance: float | None = None) -> tuple[float, float, float, float]:
+        """Return the box to which polygons, files and plots are clipped without `bounds` and `region`.
+
+        It is the bounding box of the circles, each grown by `max_distance`, with a margin of a twentieth of its size.
+
+        Returns
+        -------
+        tuple of four float
+            Least x and y, largest x and y.
+
+        Examples
+        --------
+        >>> cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]]).export_box()
+        (-2.65, -2.65, 11.65, 10.15)
+        """
+        return _core.export_box(self._core, _distance(max_distance))
+
+    def clipped_cells(
+        self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None
+    ) -> npt.NDArray[np.bool_]:
+        """Return whether each cell is clipped, so that `polygons` has at most a part of it.
+
+        Takes the same parameters as `areas`. By default cells are clipped to `export_box`.
+
+        Returns
+        -------
+        ndarray of bool, shape (n,)
+            False for hidden circles, and for cells that lie outside.
+
+        Examples
+        --------
+        >>> diagram = cv.compute([[0, 0, 1], [4, 0, 1], [0, 4, 1], [-4, 0, 1], [0, -4, 1]])
+        >>> diagram.clipped_cells().tolist()
+        [False, True, True, True, True]
+        """
+        return _core.clipped_cells(self._core, self._clip(bounds, region), _distance(max_distance))
+
     def areas(self, *, bounds: Any = None, region: Any = None, max_distance: float | None = None) -> Floats:
         """Return the area of each cell.
 
@@ -293,7 +330,7 @@ class Diagram:
             The largest distance between a polygon and the true curves, in units of the input. By default a
             hundred-thousandth of the size of the box or region.
         bounds, region, max_distance : optional
-            See `areas`. By default cells are clipped to the bounding box of the circles with a margin.
+            See `areas`. By default cells are clipped to `export_box`. `clipped_cells` tells which ones are.
 
         Returns
         -------
@@ -531,8 +568,9 @@ class Diagram:
         digits : int, optional
             The largest number of digits after the decimal point.
         attributes : DataFrame with n rows, or sequence of n mappings, optional
-            More members for the circles of json, columns of cells, or properties for the features of GeoJSON. NaN and other missing values
-            become null, and times become ISO 8601 texts. A geometry column is left out.
+            More members for the circles of json, columns of cells, or properties for the features of GeoJSON. In svg,
+            names are tooltips. NaN and other missing values become null, and times become ISO 8601 texts. A geometry
+            column is left out.
 
         Returns
         -------
@@ -700,6 +738,12 @@ def compute(
     CircleVoronoiError
         A number is missing, not finite, too large, or a radius is negative. The message names the row.
 
+    Warns
+    -----
+    UserWarning
+        More than a quarter of the circles are hidden inside others, perhaps because radii have another unit than
+        coordinates.
+
     Examples
     --------
     >>> cv.compute([[0, 0, 2], [10, 0, 1], [5, 8, 1.5]])
@@ -717,6 +761,8 @@ def compute(
         bool(resample),
         whole(threads, 0, 1024, "threads"),
     )
+    if core.hidden_warning:
+        warnings.warn(core.hidden_warning, stacklevel=2)
     return Diagram(core, crs=getattr(circles, "crs", None) if is_frame(circles) else None)
 
 

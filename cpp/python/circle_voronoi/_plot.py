@@ -27,7 +27,7 @@ def plot(diagram: Diagram, ax: Any, bounds: Any, region: Any, style: dict[str, A
         raise ImportError("plot needs matplotlib. Install it with your package manager or pip.") from None
     if ax is None:
         _, ax = pyplot.subplots()
-    clip = diagram._clip(bounds, region) or _core.default_region(diagram._core)
+    clip = diagram._clip(bounds, region) or _core.region_of_box(diagram.export_box())
     left, bottom, right, top = clip.bounds
     _, curves = _core.edge_curves(diagram._core, clip, _TOLERANCE * max(right - left, top - bottom))
     codes = np.tile([Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4], len(curves))

@@ -7,6 +7,7 @@ import json
 from os import PathLike, fspath
 from os.path import isfile
 from pathlib import Path
+from re import fullmatch
 from typing import Any, Mapping
 
 import numpy as np
@@ -26,9 +27,10 @@ class Region:
     ----------
     shape
         A polygon or several polygons: a shapely geometry, a GeoSeries or GeoDataFrame, a GeoJSON mapping (Polygon,
-        MultiPolygon, Feature, FeatureCollection), the text of GeoJSON or well-known text, the path of such a file, or
-        a list of rings. A ring is an array of shape (k, 2). A point belongs to the region if an odd number of rings
-        contain it. A string is a path if there is such a file.
+        MultiPolygon, Feature, FeatureCollection), the text of GeoJSON or well-known text, well-known binary in
+        hexadecimal digits as PostGIS prints it, the path of such a file, or a list of rings. A ring is an array of
+        shape (k, 2). A point belongs to the region if an odd number of rings contain it. A string is a path if there
+        is such a file.
     dissolve : bool
         Whether polygons may overlap and share borders, as administrative areas do. The region is then their union.
 
@@ -134,8 +136,9 @@ def _text_of(shape: str | PathLike[str]) -> tuple[bytes, str]:
     """Return the text of a region, which is UTF-8, and the name that errors call it."""
     if not isinstance(shape, str) or isfile(shape):
         return Path(shape).read_bytes(), fspath(shape)
-    # GeoJSON has braces, and well-known text has parentheses or says that there are no polygons.
-    if shape.strip() and not any(sign in shape.upper() for sign in ("{", "(", "EMPTY")):
+    # GeoJSON has braces, well-known text has parentheses or says that there are no polygons, and binary has digits alone.
+    is_geometry = any(sign in shape.upper() for sign in ("{", "(", "EMPTY")) or fullmatch(r"\s*0[01][0-9A-Fa-f]+\s*", shape)
+    if shape.strip() and not is_geometry:
         raise CircleVoronoiError(f"region is neither a file nor GeoJSON nor well-known text (got {shape!r}).")
     return shape.encode(errors="surrogatepass"), "region"
 

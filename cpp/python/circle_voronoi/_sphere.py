@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -185,6 +186,12 @@ def compute_sphere(
         A number is missing or not finite, a latitude is beyond 90 degrees, a radius is negative or not below half of the
         circumference. The message names the row.
 
+    Warns
+    -----
+    UserWarning
+        More than a quarter of the circles are hidden inside others, perhaps because radii have another unit than
+        `radius`.
+
     Examples
     --------
     >>> diagram = cv.compute_sphere([[-149.99, 61.17, 3], [8.57, 50.03, 5], [103.99, 1.36, 5]])
@@ -196,6 +203,8 @@ def compute_sphere(
     core = _core.compute_sphere(
         _caps(circles, lat, r, lon), positive(radius, "radius"), bool(weights), whole(threads, 0, 1024, "threads")
     )
+    if core.hidden_warning:
+        warnings.warn(core.hidden_warning, stacklevel=2)
     return SphereDiagram(core)
 
 
@@ -218,4 +227,4 @@ def _distance(value: float | None) -> float | None:
 
 
 def _unpickled(circles: Floats, radius: float, weights: bool) -> SphereDiagram:
-    return compute_sphere(circles, radius=radius, weights=weights)
+    return SphereDiagram(_core.compute_sphere(circles, radius, weights, 1))

@@ -36,3 +36,7 @@ def table(circles, path="circles.csv"):
 
 def program_json(*arguments):
     return json.loads(program(*arguments, "--format", "json"))
+
+
+def program_geojson(circles):
+    return json.loads(program("compute", table(circles), "--format", "geojson"))

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import json
 import pickle
+import warnings
 
 import numpy as np
 import pytest
-from conftest import ROOT, program, program_json, random_circles, table
+from conftest import ROOT, program, program_geojson, program_json, random_circles, table
 
 import circle_voronoi as cv
 
@@ -98,6 +99,40 @@ def test_whole_cells_are_unbounded_empty_or_those_in_a_large_box():
     is_small = is_bounded & (clipped < 1e4)
     assert areas[is_small] == pytest.approx(clipped[is_small], rel=1e-9, abs=1e-9)
     assert cv.compute([[1, 2, 3]]).areas().tolist() == [np.inf]
+
+
+def test_without_limits_polygons_are_those_in_the_box_that_files_name():
+    diagram = cv.compute(random_circles(60, 8))
+    box = diagram.export_box()
+    collection = json.loads(diagram.to_bytes("geojson"))
+    assert list(box) == collection["bbox"] == program_geojson(diagram.circles)["bbox"]
+    properties = [feature["properties"] for feature in collection["features"]]
+    areas = [np.inf if one["area"] is None else one["area"] for one in properties]
+    assert diagram.areas().tolist() == areas
+    clipped = diagram.clipped_cells()
+    assert clipped.tolist() == [one.get("clipped", False) for one in properties]
+    assert set(diagram.hull) <= set(np.flatnonzero(clipped))
+    assert not clipped[diagram.hidden[:, 0]].any()
+    assert diagram.clipped_cells(bounds=box).tolist() == clipped.tolist()
+    inside = diagram.areas(bounds=box)
+    assert (diagram.areas()[clipped] > inside[clipped]).all()
+    assert diagram.areas()[~clipped] == pytest.approx(inside[~clipped], rel=1e-9)
+    assert not diagram.clipped_cells(bounds=(-1e9, -1e9, 1e9, 1e9))[np.isfinite(areas)].any()
+    assert diagram.export_box(max_distance=2.5) == tuple(json.loads(diagram.to_bytes("geojson", max_distance=2.5))["bbox"])
+
+
+def test_many_hidden_circles_cause_a_warning():
+    with pytest.warns(UserWarning, match="2 of 3 circles are hidden"):
+        cv.compute([[0, 0, 9], [1, 0, 1], [0, 1, 1]])
+    with pytest.warns(UserWarning, match="2 of 3 circles are hidden"):
+        sphere = cv.compute_sphere([[0, 0, 500], [1, 0, 1], [0, 1, 1]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        cv.compute([[0, 0, 9], [1, 0, 1], [20, 0, 1], [0, 20, 1]])
+        # By other metrics, circles without a cell are usual.
+        around = [[-20, 0, 90], [20, 0, 90], [0, 20, 90], [0, -20, 90]]
+        assert len(cv.compute([*around, [0, 0, 1], [1, 0, 1]], metric="power").hidden) == 2
+        assert len(pickle.loads(pickle.dumps(sphere)).hidden) == 2
 
 
 def test_a_cell_cut_at_a_distance_is_a_disc_where_no_neighbor_is_near():

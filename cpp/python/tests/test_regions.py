@@ -21,12 +21,13 @@ ROOM = Polygon([(0, 0), (100, 0), (100, 40), (50, 40), (50, 100), (0, 100)], [[(
         mapping(ROOM),
         {"type": "Feature", "properties": {}, "geometry": mapping(ROOM)},
         ROOM.wkt,
+        f" {ROOM.wkb_hex.lower()}\n",
         json.dumps(mapping(ROOM)),
         [np.array(ROOM.exterior.coords), np.array(ROOM.interiors[0].coords)],
         [list(ring.coords)[:-1] for ring in (ROOM.exterior, *ROOM.interiors)],
         cv.Region(ROOM),
     ],
-    ids=["shapely", "mapping", "feature", "wkt", "geojson", "arrays", "lists", "region"],
+    ids=["shapely", "mapping", "feature", "wkt", "wkb", "geojson", "arrays", "lists", "region"],
 )
 def test_a_region_comes_in_every_form(shape):
     diagram = cv.compute(random_circles(50, 1))

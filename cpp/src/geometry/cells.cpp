@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_set>
 
 #include "cell_limits.h"
+#include "infinity.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -19,6 +21,11 @@ double roundingOfDifference(const Diagram& diagram, CircleIndex circle, CircleIn
   const Circle& c = circleAt(diagram, circle);
   const Circle& d = circleAt(diagram, other);
   return 0x1p-49 * (lengthOf(between(d, c)) + std::abs(radiusOf(diagram, d) - radiusOf(diagram, c)));
+}
+
+/// Returns whether a cell with this outline is unbounded.
+bool isUnbounded(const Diagram& diagram, CircleIndex circle, const Outline& whole) {
+  return whole.empty() && diagram.hasCell(circle);
 }
 
 }  // namespace
@@ -69,6 +76,22 @@ bool contains(const Diagram& diagram, CircleIndex circle, Point p) {
     }
   }
   return true;
+}
+
+double cellArea(const Diagram& diagram, CircleIndex circle) {
+  const Outline whole = outline(diagram, circle);
+  return isUnbounded(diagram, circle, whole) ? kInfinite : area(whole);
+}
+
+Point cellCentroid(const Diagram& diagram, CircleIndex circle) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const Outline whole = outline(diagram, circle);
+  return whole.empty() ? Point{kNan, kNan} : centroid(whole);
+}
+
+double cellPerimeter(const Diagram& diagram, CircleIndex circle) {
+  const Outline whole = outline(diagram, circle);
+  return isUnbounded(diagram, circle, whole) ? kInfinite : perimeter(whole);
 }
 
 }  // namespace circle_voronoi

@@ -66,8 +66,7 @@ void follow(const Edge& edge, const EdgeCurve& curve, EdgePoints& points) {
 CellPolygons::CellPolygons(const ExportFrame& frame)
     : frame_(frame),
       flattener_(frame.clipped, frame.tolerance),
-      points_(frame, sharedPlaces(frame.diagram, flattener_), follow),
-      areas_(frame.clipped.areas()) {
+      points_(frame, sharedPlaces(frame.diagram, flattener_), follow) {
   roundPoints();
 }
 

@@ -37,9 +37,6 @@ class CellPolygons {
   /// The parts of an edge inside the box, from its start to its end.
   std::vector<Ring> polylines(EdgeIndex edge) const;
 
-  /// The area of a cell inside the box: the exact area of the cell up to rounding, not the area of its polygon.
-  double area(CircleIndex circle) const { return areas_[static_cast<std::size_t>(circle)]; }
-
  private:
   bool isInside(EdgeIndex edge) const { return points_.hasInside(edge); }
   std::int32_t circleCount() const { return static_cast<std::int32_t>(frame_.diagram.circles.size()); }
@@ -67,7 +64,6 @@ class CellPolygons {
   ClipFlattener flattener_;  ///< of edges that are not inside
   /// Vertices joined by edges of length near zero have one place, so that rounding cannot turn such an edge around.
   EdgePoints points_;
-  std::vector<double> areas_;
   /// For each edge that is not inside the box: whether its points keep all digits. Its vertices are not among them.
   std::vector<bool> isExact_;
 };

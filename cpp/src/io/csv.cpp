@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -80,8 +81,13 @@ struct PointColumn {
   bool isInFirstRecord;  ///< whether there is no header
 };
 
-/// Returns the column of the first field in a table that is a point; nothing if no field is one.
-std::optional<PointColumn> pointColumn(CsvTable table) {
+/// With the wrong separator no field is a point, so that the first records are searched with all separators before the
+/// rest.
+constexpr std::size_t kFewRecords = 100;
+constexpr std::size_t kAllRecords = std::numeric_limits<std::size_t>::max();
+
+/// Returns the column of the first field in the first records of a table that is a point; nothing if no field is one.
+std::optional<PointColumn> pointColumn(CsvTable table, std::size_t records = kAllRecords) {
   const std::size_t width = table.fields().size();
   const auto placeIn = [&]() -> std::optional<std::size_t> {
     std::optional<std::size_t> found;
@@ -103,11 +109,10 @@ std::optional<PointColumn> pointColumn(CsvTable table) {
       return false;
     }
   };
-  bool isFirst = true;
+  std::size_t count = 0;
   do {
-    if (const auto place = placeIn()) return PointColumn{*place, isFirst};
-    isFirst = false;
-  } while (next());
+    if (const auto place = placeIn()) return PointColumn{*place, count == 0};
+  } while (++count < records && next());
   return std::nullopt;
 }
 
@@ -150,9 +155,9 @@ std::optional<Columns> columnsOf(const CsvTable& table, const ColumnNames& names
   return columns;
 }
 
-/// The columns of points as well-known text and of r, for a table without columns of x and y.
-std::optional<Columns> columnsWithPoints(const CsvTable& table, const ColumnNames& names) {
-  const auto points = pointColumn(table);
+/// The columns of points as well-known text in the first records and of r, for a table without columns of x and y.
+std::optional<Columns> columnsWithPoints(const CsvTable& table, const ColumnNames& names, std::size_t records) {
+  const auto points = pointColumn(table, records);
   if (!points) return std::nullopt;
   Columns columns{};
   columns.places.fill(kNoColumn);
@@ -365,14 +370,17 @@ std::optional<CsvLayout> layoutOf(std::string_view text, const ReadOptions& opti
                              [&](const CsvTable& table) { return problemOf(table, names, isOfTile); });
   } catch (const ReadError&) {
     if (isOfTile || names.isGiven(0) || names.isGiven(1)) throw;
-    for (const char separator : separatorsOf(text)) {
-      CsvTable table(text, separator);
-      try {
-        (void)table.next();
-      } catch (const ReadError&) {
-        continue;
+    for (const std::size_t records : {kFewRecords, kAllRecords}) {
+      for (const char separator : separatorsOf(text)) {
+        CsvTable table(text, separator);
+        try {
+          (void)table.next();
+        } catch (const ReadError&) {
+          continue;
+        }
+        const auto columns = columnsWithPoints(table, names, records);
+        if (columns) return layoutFrom(table, columns, names, isOfTile);
       }
-      if (const auto columns = columnsWithPoints(table, names)) return layoutFrom(table, columns, names, isOfTile);
     }
     throw;
   }

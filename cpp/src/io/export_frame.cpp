@@ -103,6 +103,24 @@ Point ExportFrame::roundOnBoundary(Point p) const {
 
 namespace {
 
+std::vector<double> ofEachCell(const Diagram& diagram, double (*measure)(const Diagram&, CircleIndex)) {
+  std::vector<double> values(diagram.circles.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = measure(diagram, static_cast<std::int32_t>(i));
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> areasIn(const ExportFrame& frame) {
+  return frame.isClipped ? frame.clipped.areas() : ofEachCell(frame.diagram, cellArea);
+}
+
+std::vector<double> perimetersIn(const ExportFrame& frame) {
+  return frame.isClipped ? frame.clipped.perimeters() : ofEachCell(frame.diagram, cellPerimeter);
+}
+
+namespace {
+
 /// Maps a segment and adds points between its ends as needed, and its end. A segment has the same points in both
 /// directions.
 void addPlaces(const ExportFrame& frame, Point from, Point to, Point fromPlace, Point toPlace, int depth,

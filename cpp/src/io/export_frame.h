@@ -57,6 +57,13 @@ struct ExportFrame {
 /// edge inside, each once.
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle);
 
+/// Returns the area of each cell. If the options clip the diagram, this is the area of its part inside; otherwise that
+/// of the whole cell, which is infinite if the cell is unbounded.
+std::vector<double> areasIn(const ExportFrame& frame);
+
+/// Returns the perimeter of each cell or part, like `areasIn`.
+std::vector<double> perimetersIn(const ExportFrame& frame);
+
 /// Returns rings mapped by ExportOptions::place.
 std::vector<std::vector<std::vector<Point>>> mapped(const ExportFrame& frame,
                                                     std::vector<std::vector<std::vector<Point>>> polygons);

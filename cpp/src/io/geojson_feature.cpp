@@ -58,8 +58,8 @@ void writeGeometry(Writer& out, const std::vector<std::vector<PointRing>>& polyg
 void writeAttributes(Writer& out, const CircleAttributes& attributes, std::size_t circle) {
   const std::string_view height = entryOf(attributes.heights, circle);
   const auto isOwn = [&](std::string_view name) {
-    constexpr std::array<std::string_view, 7> kWritten = {"circle",   "r",      "area",      "neighbors",
-                                                          "hiddenBy", "shifts", "hiderShift"};
+    constexpr std::array<std::string_view, 8> kWritten = {"circle",    "r",        "area",   "clipped",
+                                                          "neighbors", "hiddenBy", "shifts", "hiderShift"};
     return std::ranges::find(kWritten, name) != kWritten.end() || (!height.empty() && name == "z");
   };
   visitProperties(attributes, circle, isOwn, [&](std::string_view name, std::string_view value) {

@@ -5,6 +5,7 @@
 #include "circle_voronoi/io.h"
 #include "crs.h"
 #include "guarded.h"
+#include "named_option.h"
 #include "text.h"
 #include "utf8.h"
 #include "validate.h"
@@ -26,8 +27,9 @@ Result<CircleFile> readFile(std::string_view text, std::string_view name, const 
     if (!options.crs.empty()) crs = options.crs;
     const auto urn = crsUrn(crs);
     if (!crs.empty() && !urn) {
-      return Error{ErrorCode::badOption, kNone,
-                   "The reference system \"" + printable(crs) + "\" is not like EPSG:25832, nor a URN."};
+      Error error{ErrorCode::badOption, kNone, ""};
+      append(error, {"", "`crs`", " must be like EPSG:25832, or a URN (got \"" + printable(crs) + "\").", "crs"});
+      return error;
     }
     if (urn && keep == Keep::attributes) setCrs(attributes.collection, *urn);
     // Only the reader knows the line of each circle.

@@ -11,6 +11,7 @@
 #include "guarded.h"
 #include "json_reader.h"
 #include "text.h"
+#include "wkb.h"
 #include "wkt_reader.h"
 
 namespace circle_voronoi {
@@ -40,8 +41,6 @@ struct Polygons {
 constexpr int kPositionHeight = 0;
 constexpr int kPolygonHeight = 2;
 constexpr int kMultiPolygonHeight = 3;
-/// The largest number of GeoJSON objects inside one another: each level takes a part of the stack.
-constexpr int kMostNested = 100;
 
 /// Reads coordinates, and returns how many levels of arrays are above the positions. Returns nothing for an empty
 /// array.
@@ -198,7 +197,20 @@ class WktPolygonReader {
   Polygons polygons_;
 };
 
+/// Returns a text without the white space around it.
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlank);
+  return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
+}
+
+/// Reads the polygons of well-known binary in hexadecimal digits. It is one line, so places in its text do not matter.
+Polygons readHexPolygons(std::string_view hex) {
+  const std::string text = wktOfHexWkb(hex);
+  return WktPolygonReader(text).read();
+}
+
 Polygons readPolygons(std::string_view text) {
+  if (isHexWkb(trimmed(text))) return readHexPolygons(trimmed(text));
   if (firstOf(text) != '{') return WktPolygonReader(text).read();
   Polygons polygons;
   JsonReader reader(text);

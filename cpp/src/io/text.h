@@ -29,6 +29,9 @@ inline constexpr std::string_view kBlank = " \t\r\n\x1E";
 /// Returns the first character of a text that `contentOf` returns.
 inline char firstOf(std::string_view content) { return content[content.find_first_not_of(kBlank)]; }
 
+/// The largest number of geometries inside one another: each level takes a part of the stack.
+inline constexpr int kMostNested = 100;
+
 /// The reason why reading ends, and its place in the text. The readers throw it, and their public functions turn it
 /// into an Error.
 struct ReadError {

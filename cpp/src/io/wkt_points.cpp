@@ -3,6 +3,7 @@
 
 #include "members.h"
 #include "text.h"
+#include "wkb.h"
 #include "wkt_reader.h"
 
 namespace circle_voronoi {
@@ -27,6 +28,7 @@ void readPosition(WktReader& reader, std::string_view text, bool hasHeight, WktP
 }  // namespace
 
 std::optional<WktPoints> wktPoints(std::string_view text) try {
+  if (isHexWkb(text)) return wktPoints(wktOfHexWkb(text));
   // Most fields of a table are no points.
   const std::size_t begin = text.find_first_not_of(' ');
   if (begin == text.npos || std::string_view("PpMmSs").find(text[begin]) == std::string_view::npos) return std::nullopt;

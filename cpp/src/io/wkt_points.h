@@ -17,7 +17,8 @@ struct WktPoints {
   std::string srid;                  ///< the number of its reference system (EWKT); empty: it names none
 };
 
-/// Reads a POINT or a MULTIPOINT as well-known text; nothing if a text is not one, or the geometry is empty.
+/// Reads a POINT or a MULTIPOINT as well-known text, or as well-known binary in hexadecimal digits; nothing if a text
+/// is not one, or the geometry is empty.
 std::optional<WktPoints> wktPoints(std::string_view text);
 
 }  // namespace circle_voronoi

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,28 +16,13 @@
 namespace circle_voronoi {
 namespace {
 
-/// The area and the perimeter of a cell; nothing for an unbounded cell.
-struct Measures {
-  double area;
-  double perimeter;
-};
-
-std::vector<std::optional<Measures>> measuresIn(const ExportFrame& frame) {
-  const Diagram& diagram = frame.diagram;
-  std::vector<std::optional<Measures>> result(diagram.circles.size());
-  if (frame.isClipped) {
-    const auto areas = frame.clipped.areas();
-    const auto perimeters = frame.clipped.perimeters();
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = {areas[i], perimeters[i]};
-    return result;
+/// Writes a measure; `inf` for that of an unbounded cell.
+void writeMeasure(Writer& out, const ExportFrame& frame, double value) {
+  if (std::isinf(value)) {
+    out << "inf";
+  } else {
+    out << frame.area(value);
   }
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const CircleIndex circle = static_cast<std::int32_t>(i);
-    const Outline whole = outline(diagram, circle);
-    if (whole.empty() && diagram.hasCell(circle)) continue;
-    result[i] = {area(whole), perimeter(whole)};
-  }
-  return result;
 }
 
 }  // namespace
@@ -47,7 +32,8 @@ Result<void> writeCellsCsv(std::ostream& stream, const Diagram& diagram, const E
     constexpr auto kOwn = std::to_array<std::string_view>({"circle", "area", "perimeter", "neighbors", "hiddenBy"});
     const CircleAttributes none;
     AttributeColumns columns(options.attributes != nullptr ? *options.attributes : none, kOwn);
-    const auto measures = measuresIn(frame);
+    const std::vector<double> areas = areasIn(frame);
+    const std::vector<double> perimeters = perimetersIn(frame);
     std::vector<CircleIndex> hiders(diagram.circles.size(), kNone);
     for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
     out << "circle,x,y,r,area,perimeter,neighbors,hiddenBy";
@@ -57,11 +43,10 @@ Result<void> writeCellsCsv(std::ostream& stream, const Diagram& diagram, const E
       const Circle& c = diagram.circles[i];
       const Point center = frame.place ? frame.place({c.x, c.y}) : Point{c.x, c.y};
       out << static_cast<std::int64_t>(i) << "," << center.x << "," << center.y << "," << c.r << ",";
-      if (measures[i]) {
-        out << frame.area(measures[i]->area) << "," << frame.area(measures[i]->perimeter) << ",";
-      } else {
-        out << "inf,inf,";
-      }
+      writeMeasure(out, frame, areas[i]);
+      out << ",";
+      writeMeasure(out, frame, perimeters[i]);
+      out << ",";
       std::string_view space;
       for (const CircleIndex neighbor : neighborsIn(frame, static_cast<std::int32_t>(i))) {
         out << space << neighbor;

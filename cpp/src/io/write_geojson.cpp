@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,7 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
                    const PeriodicDiagram* periodic = nullptr) {
   const Diagram& diagram = frame.diagram;
   const CellPolygons polygons(frame);
+  const std::vector<double> areas = areasIn(frame);
   std::vector<std::int32_t> hiders(diagram.circles.size(), kNone);
   for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
   std::string_view between;
@@ -56,7 +58,14 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
     out << between;
     writeFeatureStart(out, frame.attributes, static_cast<std::size_t>(i));
     out << R"("circle":)" << selection.id(i) << R"(,"r":)" << diagram.circles[static_cast<std::size_t>(i)].r
-        << R"(,"area":)" << frame.area(polygons.area(i)) << R"(,"neighbors":[)";
+        << R"(,"area":)";
+    if (const double area = areas[static_cast<std::size_t>(i)]; std::isinf(area)) {
+      out << "null";
+    } else {
+      out << frame.area(area);
+    }
+    if (frame.clipped.placeOf(i) == ClippedDiagram::Place::cut) out << R"(,"clipped":true)";
+    out << R"(,"neighbors":[)";
     std::string_view comma;
     const auto add = [&](CircleIndex neighbor) {
       out << comma << selection.id(neighbor);

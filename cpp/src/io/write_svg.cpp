@@ -11,6 +11,7 @@
 
 #include "bit_cast.h"
 #include "chord.h"
+#include "circle_names.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/periodic_diagram.h"
@@ -21,6 +22,7 @@
 #include "prefetch.h"
 #include "vectors.h"
 #include "writer.h"
+#include "xml_text.h"
 
 namespace circle_voronoi {
 namespace {
@@ -119,7 +121,19 @@ void tracePiece(Writer& out, const ExportFrame& frame, const OutlinePiece& piece
   trace(out, points.begin(), points.end(), frame.round(piece.curve.end));
 }
 
-void writeCells(Writer& out, const EdgePoints& edges, std::int32_t count) {
+using CircleNames = std::vector<std::string>;
+
+/// Ends the element of a circle or its cell, whose last attribute is open. Its name, if it has one, is its title.
+void endElement(Writer& out, std::string_view element, const CircleNames& names, std::int32_t circle) {
+  const auto i = static_cast<std::size_t>(circle);
+  if (i >= names.size() || names[i].empty()) {
+    out << "\"/>\n";
+  } else {
+    out << "\"><title>" << xmlText(names[i]) << "</title></" << element << ">\n";
+  }
+}
+
+void writeCells(Writer& out, const EdgePoints& edges, std::int32_t count, const CircleNames& names) {
   const ExportFrame& frame = edges.frame;
   edges.visitCells([&](std::int32_t i) {
     if (i >= count) return;
@@ -129,7 +143,8 @@ void writeCells(Writer& out, const EdgePoints& edges, std::int32_t count) {
       begin();
       writePoint(out, "M", edges.placeOf(frame.diagram.originOf(sides.front())));
       for (const SideIndex side : sides) traceSide(out, edges, side);
-      out << "Z\"/>\n";
+      out << "Z";
+      endElement(out, "path", names, i);
       return;
     }
     const Outline loops = frame.clipped.outline(i);
@@ -140,7 +155,7 @@ void writeCells(Writer& out, const EdgePoints& edges, std::int32_t count) {
       for (const OutlinePiece& piece : loop) tracePiece(out, frame, piece);
       out << "Z";
     }
-    out << "\"/>\n";
+    endElement(out, "path", names, i);
   });
 }
 
@@ -213,7 +228,7 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 }
 
 /// Circles of radius below `visible` are drawn as dots.
-void writeCircles(Writer& out, const ExportFrame& frame, double visible, std::int32_t count) {
+void writeCircles(Writer& out, const ExportFrame& frame, double visible, std::int32_t count, const CircleNames& names) {
   const Box& box = frame.box;
   const auto& circles = frame.diagram.circles;
   for (std::int32_t i = 0; i < count; ++i) {
@@ -229,10 +244,11 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible, std::in
           << "\"";
     }
     if (r == 0) {  // SVG draws no circle of radius 0, but it draws a stroke of length 0
-      out << " d=\"M" << x << " " << y << "h0\"/>\n";
+      out << " d=\"M" << x << " " << y << "h0";
     } else {
-      out << " cx=\"" << x << "\" cy=\"" << y << "\" r=\"" << r << "\"/>\n";
+      out << " cx=\"" << x << "\" cy=\"" << y << "\" r=\"" << r;
     }
+    endElement(out, r == 0 ? "path" : "circle", names, i);
   }
 }
 
@@ -302,7 +318,7 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
     const double unit = std::max(width, height) / figure.pixels;  // the length of a pixel in the plane
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
         << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height
-        << "\" class=\"circle-voronoi\">\n"
+        << "\" class=\"circle-voronoi\" role=\"img\">\n"
         << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(diagram.circles.size())
         << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
         << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
@@ -319,9 +335,10 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
       if (std::ranges::find(figure.groups, name) != figure.groups.end()) group(name, write);
     };
     const auto count = static_cast<std::int32_t>(diagram.circles.size());
-    ownGroup("cells", [&] { writeCells(out, edges, count); });
+    const CircleNames names = namesIn(frame.attributes);
+    ownGroup("cells", [&] { writeCells(out, edges, count, names); });
     ownGroup("dual", [&] { writeDual(out, frame); });
-    ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit, count); });
+    ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit, count, names); });
     ownGroup("edges", [&] { writeEdges(out, edges, [](const Edge&) { return true; }); });
     ownGroup("vertices", [&] { writeVertices(out, edges, frame.grid.round(kVertexPixels * unit)); });
     ownGroup("hull", [&] { writeHull(out, frame); });
@@ -397,7 +414,7 @@ std::string idOf(const PeriodicDiagram& periodic) {
 
 /// Draws the given circles once and repeats them wherever their images meet the drawing: inside the box, and dimmed
 /// around it.
-void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& periodic) {
+void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& periodic, const CircleNames& names) {
   const Box box = boxOf(periodic.lattice);
   const double margin = kPeriodicMargin * std::max(box.maxX - box.minX, box.maxY - box.minY);
   const Box view = {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
@@ -431,7 +448,7 @@ void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& 
   };
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
       << "\" viewBox=\"" << view.minX << " " << -view.maxY << " " << width << " " << height
-      << "\" class=\"circle-voronoi\">\n"
+      << "\" class=\"circle-voronoi\" role=\"img\">\n"
       << "<title>Periodic Voronoi diagram of circles</title>\n<desc>" << std::int32_t{periodic.circleCount}
       << " circles in a box with opposite sides glued together</desc>\n"
       << kStyle << "</style>\n<defs>\n<clipPath id=\"box-" << id << "\">";
@@ -444,8 +461,8 @@ void drawPeriodic(Writer& out, const ExportFrame& frame, const PeriodicDiagram& 
     write();
     out << "</g>\n";
   };
-  group("cells", [&] { writeCells(out, edges, periodic.circleCount); });
-  group("circles", [&] { writeCircles(out, frame, kPointPixels * unit, periodic.circleCount); });
+  group("cells", [&] { writeCells(out, edges, periodic.circleCount, names); });
+  group("circles", [&] { writeCircles(out, frame, kPointPixels * unit, periodic.circleCount, names); });
   group("edges", [&] { writeEdges(out, edges, isDrawn); });
   out << "</g>\n<g id=\"copies-" << id << "\">\n";
   for (const Vector& move : copies) {
@@ -463,8 +480,10 @@ Result<void> writePeriodicSvg(std::ostream& stream, const PeriodicDiagram& perio
   return guarded([&]() -> Result<void> {
     const auto own = periodicOptions(periodic, options);
     if (!own) return own.error();
-    return unguardedWritingIn(stream, periodic.diagram, own.value(),
-                              [&](Writer& out, const ExportFrame& frame) { drawPeriodic(out, frame, periodic); });
+    const CircleNames names = namesIn(options.attributes);
+    return unguardedWritingIn(stream, periodic.diagram, own.value(), [&](Writer& out, const ExportFrame& frame) {
+      drawPeriodic(out, frame, periodic, names);
+    });
   });
 }
 

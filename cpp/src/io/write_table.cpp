@@ -12,9 +12,9 @@
 #include "json_reader.h"
 #include "members.h"
 #include "polygons_of_row.h"
-#include "utf8.h"
 #include "valid_polygons.h"
 #include "writer.h"
+#include "xml_text.h"
 
 namespace circle_voronoi {
 namespace {
@@ -51,15 +51,6 @@ void writeTableFeatures(Writer& out, std::span<const Column> columns, const Clip
     writeGeometry(out, polygonsOfRow(polygons, row));
     out << "}";
   }
-}
-
-/// Returns a printable line for XML, cut if it is long.
-std::string xmlText(std::string_view text) {
-  std::string result;
-  for (const char c : printable(std::string(text))) {
-    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-  }
-  return result;
 }
 
 /// "region: North, people: 5": the values of a row that it has.
@@ -160,7 +151,7 @@ Result<void> writeTableSvg(std::ostream& stream, std::span<const Column> columns
       const double unit = std::max(width, height) / kPixels;
       out << R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" << width / unit << R"(" height=")" << height / unit
           << R"(" viewBox=")" << box.minX << " " << -box.maxY << " " << width << " " << height
-          << "\" class=\"circle-voronoi\">\n<title>Treemap</title>\n"
+          << "\" class=\"circle-voronoi\" role=\"img\">\n<title>Treemap</title>\n"
              "<g transform=\"scale(1,-1)\" stroke=\"#1f4e79\" stroke-linejoin=\"round\">\n";
       const int deepest = levels.empty() ? 0 : *std::ranges::max_element(levels);
       for (int level = deepest; level > 0; --level) {

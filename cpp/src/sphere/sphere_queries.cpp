@@ -8,6 +8,7 @@
 #include "at.h"
 #include "bucket_grid.h"
 #include "circle_voronoi/sphere.h"
+#include "hidden_sentence.h"
 #include "place.h"
 
 namespace circle_voronoi {
@@ -141,6 +142,10 @@ std::optional<ClosestPair> closestPair(const SphereDiagram& diagram) {
     if (!best || gap < best->gap) best = ClosestPair{std::min(e.left, e.right), std::max(e.left, e.right), gap};
   }
   return best;
+}
+
+std::string hiddenWarning(const SphereDiagram& diagram) {
+  return hiddenSentence(diagram.hidden.size(), diagram.caps.size(), "another unit than the radius of the sphere");
 }
 
 }  // namespace circle_voronoi

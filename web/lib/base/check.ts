@@ -226,9 +226,11 @@ export function shown(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value)
   if (Array.isArray(value)) return 'an array'
   if (typeof value === 'function') return 'a function'
+  if (value instanceof Date) return 'a Date'
   return typeof value === 'object' && value !== null ? 'an object' : String(value)
 }
 
-function listed(names: readonly string[]): string {
+/** Returns names as a list in a sentence. */
+export function listed(names: readonly string[]): string {
   return names.length < 2 ? names.join() : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkMemory, shown } from './check.ts'
 import { CircleVoronoiError } from './errors.ts'
+import { missingNumber } from './missing-number.ts'
 import type { Circle, Float64s } from './types.ts'
 
 /**
@@ -37,30 +38,33 @@ export type Accessors<Datum> = {
 } & { readonly [Name in keyof Circle]?: Accessor<Datum> | undefined }
 
 /**
- * A copy of the circles as x, y, r of each.
+ * A copy of the circles as x, y, r of each. `areOptions`: whether the caller passes its options, so that errors may advise
+ * to give a function.
  *
  * @throws CircleVoronoiError `badInput`. Types are checked here, because embind would convert any value. Errors of the
  *   functions are passed on.
  */
 export function coordinatesOf<Datum>(
   circles: Circles | Iterable<Datum>,
-  { x: fx, y: fy, r: fr }: { readonly [Name in keyof Circle]?: Accessor<Datum> | undefined } = {},
+  accessors?: { readonly [Name in keyof Circle]?: Accessor<Datum> | undefined },
+  areOptions = accessors !== undefined,
 ): Float64s {
   checkMemory(circles, 'The circles', 'their array')
-  const isRead = fx !== undefined || fy !== undefined || fr !== undefined
+  const functions = accessors && [accessors.x, accessors.y, accessors.r]
+  const isRead = functions?.some((find) => find !== undefined)
   if (!isRead && (circles instanceof Float64Array || circles instanceof Float32Array)) {
     if (circles.length % 3 !== 0) refuse(`Three numbers per circle are needed, but there are ${circles.length}.`)
     return new Float64Array(circles)
   }
-  return coordinatesFrom(circles as Iterable<Datum>, fx ?? circleX, fy ?? circleY, fr ?? circleRadius)
+  return coordinatesFrom(circles as Iterable<Datum>, functions, areOptions)
 }
 
 function coordinatesFrom<Datum>(
   data: Iterable<Datum>,
-  fx: Accessor<Datum>,
-  fy: Accessor<Datum>,
-  fr: Accessor<Datum>,
+  functions: readonly (Accessor<Datum> | undefined)[] = [],
+  areOptions: boolean,
 ): Float64s {
+  const [fx = circleX, fy = circleY, fr = circleRadius] = functions
   if (
     typeof (data as Partial<Iterable<Datum>> | null | undefined)?.[Symbol.iterator] !== 'function' ||
     typeof data === 'string'
@@ -72,13 +76,16 @@ function coordinatesFrom<Datum>(
   for (const datum of data) {
     const [x, y, r]: readonly unknown[] = [fx(datum, i, data), fy(datum, i, data), fr(datum, i, data)]
     if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
-      refuse(`Circle ${i} does not have three numbers x, y and r.`, i)
+      refuse(missingNumber(`Circle ${i}`, CIRCLE_NAMES, [x, y, r], datum, areOptions ? functions : undefined), i)
     }
     numbers.push(x, y, r)
     i += 1
   }
   return new Float64Array(numbers)
 }
+
+/** The names of the numbers of a circle. */
+export const CIRCLE_NAMES = ['x', 'y', 'r'] as const
 
 /** The default accessors, for objects and arrays. For other values they return `undefined`, which is refused. */
 export function circleX(circle: unknown): number {

@@ -10,9 +10,18 @@ import {
   shown,
 } from '../base/check.ts'
 import { COORDINATE_LIMIT, COORDINATE_LIMIT_TEXT } from '../base/coordinate-limits.ts'
-import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from '../base/coordinates.ts'
+import {
+  CIRCLE_NAMES,
+  type CircleLike,
+  type Circles,
+  circleRadius,
+  circleX,
+  circleY,
+  coordinatesOf,
+} from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
+import { missingNumber } from '../base/missing-number.ts'
 import type { Certificate, Circle, DiagramData, Disposal, Float64s, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
 import type { DiagramSnapshot } from '../diagram/diagram-snapshot.ts'
@@ -241,7 +250,7 @@ export function checkedCircle(circle: CircleLike, weights: boolean, id?: number)
   const [x, y, r]: readonly unknown[] = [circleX(circle), circleY(circle), circleRadius(circle)]
   const who = id === undefined ? 'The new circle' : `Circle ${id}`
   if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
-    refuse('badInput', `${who} does not have three numbers x, y and r.`, id)
+    refuse('badInput', missingNumber(who, CIRCLE_NAMES, [x, y, r], circle), id)
   }
   if (!Number.isFinite(x) || !Number.isFinite(y) || !Number.isFinite(r)) {
     refuse('nonFinite', `${who} has a number that is not finite.`, id)

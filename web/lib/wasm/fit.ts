@@ -177,7 +177,7 @@ function sitesWith(
   weights: Float64Array | readonly number[] | undefined,
 ): Float64s {
   const isFlat = sites instanceof Float64Array || sites instanceof Float32Array
-  const circles = coordinatesOf(sites, isFlat ? {} : { r: (site) => circleRadius(site) ?? 0 })
+  const circles = coordinatesOf(sites, isFlat ? {} : { r: (site) => circleRadius(site) ?? 0 }, false)
   if (weights === undefined) return circles
   const start = numbersOf(weights, 'weights')
   if (start.length !== circles.length / 3) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkMemory, checkOptionNames, refuseInput, refuseOption, shown } from '../base/check.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
+import { missingNumber } from '../base/missing-number.ts'
 import type { Float64s } from '../base/types.ts'
 import { checkWeights } from './options.ts'
 import { type SphereData, SphereDiagram, type SphereModule } from './sphere-diagram.ts'
@@ -154,6 +155,8 @@ export function sphereInput<Datum>(
   return { caps: capsOf(places, [longitude, latitude, r]), radius, weights }
 }
 
+const CAP_NAMES = ['longitude', 'latitude', 'r'] as const
+
 type Finders<Datum> = readonly (PlaceAccessor<Datum> | undefined)[]
 
 function capsOf<Datum>(places: Caps | Iterable<Datum>, finders: Finders<Datum>): Float64s {
@@ -169,15 +172,15 @@ function capsOf<Datum>(places: Caps | Iterable<Datum>, finders: Finders<Datum>):
   const numbers: number[] = []
   let i = 0
   for (const datum of places as Iterable<Datum>) {
-    for (const [k, name] of (['longitude', 'latitude', 'r'] as const).entries()) {
+    const parts = CAP_NAMES.map((name, k): unknown => {
       const find = finders[k]
-      const part: unknown = find === undefined ? partOf(datum, k, name) : find(datum, i, places as Iterable<Datum>)
-      if (typeof part !== 'number') {
-        const message = `Cap ${i} does not have three numbers longitude, latitude and r.`
-        throw new CircleVoronoiError('badInput', message, { circle: i })
-      }
-      numbers.push(part)
+      return find === undefined ? partOf(datum, k, name) : find(datum, i, places as Iterable<Datum>)
+    })
+    if (!parts.every((part) => typeof part === 'number')) {
+      const message = missingNumber(`Cap ${i}`, CAP_NAMES, parts, datum, finders)
+      throw new CircleVoronoiError('badInput', message, { circle: i })
     }
+    numbers.push(...parts)
     i += 1
   }
   return new Float64Array(numbers)

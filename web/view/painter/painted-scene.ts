@@ -7,6 +7,7 @@ import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange, KeptIds } from '../circle-table.ts'
 import type { DiagramCounts } from '../diagram-counts.ts'
+import type { Name } from '../labels.ts'
 import {
   DEFAULT_LAYERS,
   isAnythingFound,
@@ -35,6 +36,7 @@ import { type Difference, Picture } from './picture.ts'
 import { leastFirst } from './ring.ts'
 import { SvgDrawing } from './svg-drawing.ts'
 import { Tiles, type ViewportRequest } from './tiles.ts'
+import { addTitles } from './titles.ts'
 import { RepeatedDiagram, Torus } from './torus.ts'
 
 /** Queries faster than this (seconds) run with each edit; slower ones wait for a pause. */
@@ -237,10 +239,12 @@ export class PaintedScene {
     paint(new PaintContext(drawing, frame, pixelRatio, this.picture, style))
   }
 
-  /** Draws a frame as SVG, with global results at the frame's precision. */
-  svg(frame: Frame, style: Style): DrawnSvg {
+  /** Draws a frame as SVG, with global results at the frame's precision. `names` are tooltips. */
+  svg(frame: Frame, style: Style, names: readonly Name[]): DrawnSvg {
     const drawing = new SvgDrawing()
-    this.draw(drawing, frame, 1, style)
+    const painting = new PaintContext(drawing, frame, 1, this.picture, style)
+    paint(painting)
+    addTitles(drawing, painting, names)
     return { elements: String(drawing), found: found(this.picture, toleranceOf(frame)) }
   }
 

@@ -51,6 +51,14 @@ export class SvgDrawing implements Drawing {
     this.#elements.push(`<g clip-path="url(#${id})">`)
   }
 
+  /** Adds an invisible area with a tooltip. */
+  title(path: PathSink, text: string): void {
+    const shape = String(path)
+    if (shape === '') return
+    const title = `<title>${escaped(text)}</title>`
+    this.#elements.push(`<path fill="none" pointer-events="all" d="${shape}">${title}</path>`)
+  }
+
   #add(path: PathSink, look: string): void {
     const text = String(path)
     if (text !== '') this.#elements.push(`<path ${look} d="${text}"/>`)
@@ -69,8 +77,8 @@ function nameOf(shape: string): string {
   return `region-${hash.toString(36)}-${shape.length}`
 }
 
-/** The markup of an SVG with these elements. */
-export function svgOf(width: number, height: number, elements: readonly string[]): string {
+/** The markup of an SVG with these elements, which screen readers call `title`. */
+export function svgOf(width: number, height: number, elements: readonly string[], title: string): string {
   const body = elements.filter((text) => text !== '').join('\n')
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" stroke-linejoin="round" stroke-linecap="round">\n${body}\n</svg>\n`
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" role="img" stroke-linejoin="round" stroke-linecap="round">\n<title>${escaped(title)}</title>\n${body}\n</svg>\n`
 }
