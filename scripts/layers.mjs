@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks that the C++ library includes headers only along the layers of cpp/src/CMakeLists.txt. CMake sees the folders of
-// cpp/src, but all public headers are on every layer's include path.
+// Checks that the C++ library includes headers only along the layers of cpp/src/CMakeLists.txt, and that it uses extensions
+// of compilers only in the headers for them. CMake sees the folders of cpp/src, but all public headers are on every layer's
+// include path.
 import { execFileSync } from 'node:child_process'
 import { existsSync, readFileSync } from 'node:fs'
 import { isMain, main, ROOT } from './run.mjs'
+
+/** Extensions of GCC and Clang, and the headers that have replacements for other compilers. */
+const EXTENSION = /\[\[gnu::|\b__(?:attribute__|builtin_\w+|extension__|int128)\b/
+const WITH_EXTENSIONS = /\/(?:base\/portable|circle_voronoi\/abi)\.h$/
 
 /** Returns the layers that a CMake file declares, by name: their public headers, and the layers that each one sees. */
 export function layersOf(cmake) {
@@ -28,7 +33,7 @@ export function layersOf(cmake) {
 }
 
 /**
- * Returns what is wrong with the includes of files, a sentence each. `files` maps paths to texts: of sources in
+ * Returns what is wrong with the includes and extensions of files, a sentence each. `files` maps paths to texts: of sources in
  * `cpp/src/LAYER/` and of public headers in `cpp/include/`.
  */
 export function flawsOf(layers, files) {
@@ -53,6 +58,9 @@ export function flawsOf(layers, files) {
       flaws.push(`${path} belongs to no layer.`)
       continue
     }
+    const extension = EXTENSION.exec(text)?.[0]
+    if (extension !== undefined && !WITH_EXTENSIONS.test(path))
+      flaws.push(`${path} uses ${extension}, which belongs in cpp/src/base/portable.h.`)
     for (const [, header] of text.matchAll(/^#include "([^"]+)"/gm)) {
       const other = layerOf.get(header)
       if (other === undefined) flaws.push(`${path} includes ${header}, which belongs to no layer.`)
@@ -72,7 +80,7 @@ if (isMain(import.meta.url)) {
     const files = new Map(paths.map((path) => [path, readFileSync(ROOT + path, 'utf8')]))
     const layers = layersOf(readFileSync(`${ROOT}cpp/src/CMakeLists.txt`, 'utf8'))
     const flaws = flawsOf(layers, files)
-    if (flaws.length > 0) throw new Error(`These includes do not follow the layers:\n${flaws.join('\n')}`)
+    if (flaws.length > 0) throw new Error(`These files do not follow the layers:\n${flaws.join('\n')}`)
     console.log(`The includes of ${files.size} C++ files follow ${layers.size} layers.`)
   })
 }

@@ -20,7 +20,7 @@ limbs::SignedWide randomWide(Random& random, int bits) {
   limbs::SignedWide value = 0;
   const std::size_t kind = random.below(3);
   if (kind == 0) value = (limbs::SignedWide{1} << bits) - 1 - static_cast<int>(random.below(3));
-  if (kind == 1) value = limbs::SignedWide{1} << random.below(static_cast<std::size_t>(bits));
+  if (kind == 1) value = limbs::SignedWide{1} << static_cast<int>(random.below(static_cast<std::size_t>(bits)));
   for (int i = 0; kind == 2 && i < bits; ++i) value = value << 1 | static_cast<int>(random.below(2));
   return random.below(2) == 0 ? value : -value;
 }

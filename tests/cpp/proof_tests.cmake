@@ -25,6 +25,7 @@ add_executable(circle_voronoi_proof_tests
   judge_test.cpp
   metamorphic_test.cpp
   order_test.cpp
+  portable_test.cpp
   predicates_test.cpp
   repair_test.cpp
   settle_ties_test.cpp

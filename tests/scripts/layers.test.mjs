@@ -47,6 +47,10 @@ describe('the includes of a library', () => {
     expect(flawsWith({})).toEqual([])
   })
 
+  it('may belong to files with extensions of compilers, if they are for all others', () => {
+    expect(flawsWith({ 'cpp/src/base/portable.h': 'inline void f() { __builtin_trap(); }\n' })).toEqual([])
+  })
+
   it.each([
     ['a source that includes a header of a layer above', { 'cpp/src/base/a.cpp': '#include "flip.h"\n' }],
     [
@@ -61,6 +65,7 @@ describe('the includes of a library', () => {
     ['a public header without a layer', { 'cpp/include/voronoi/new.h': '' }],
     ['an include of an unknown header', { 'cpp/src/io/a.cpp': '#include "nowhere.h"\n' }],
     ['a source outside of all layers', { 'cpp/src/lost/a.cpp': '' }],
+    ['a source that uses an extension of a compiler', { 'cpp/src/io/a.cpp': 'void f() { __builtin_trap(); }\n' }],
   ])('are refused for %s', (_, changes) => {
     const flaws = flawsWith(changes)
     expect(flaws).toHaveLength(1)

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 namespace circle_voronoi {
 
 /// std::bit_cast, which Emscripten's standard library lacks.
 template <class To, class From>
-constexpr To bitCast(const From& from) {
-  return __builtin_bit_cast(To, from);
+To bitCast(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof(to));
+  return to;
 }
 
 /// Returns the largest power of two up to x, for a normal number x > 0; 0 for zero and smaller numbers.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "circle_voronoi/error.h"
+#include "portable.h"
 
 namespace circle_voronoi {
 
@@ -48,7 +49,7 @@ inline Error errorWith(ErrorCode code, const char* message) noexcept {
 
 /// Returns the error for the current exception. Rethrows exceptions of callbacks. Not inlined, because it is longer
 /// than most of its callers.
-[[gnu::noinline]] inline Error errorInFlight() {
+CIRCLE_VORONOI_NEVER_INLINE inline Error errorInFlight() {
   try {
     throw;
   } catch (const CallbackThrew& callback) {

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "portable.h"
+
 namespace circle_voronoi {
 
 /// Number of steps by which a loop over edges or faces prefetches data that it reads in another order.
@@ -13,7 +15,7 @@ inline constexpr std::size_t kPrefetchAhead = 16;
 /// Asks for an item's memory, which is read soon.
 template <class Item>
 void prefetch(std::span<const Item> items, std::size_t i) {
-  __builtin_prefetch(items.data() + i);
+  prefetch(items.data() + i);
 }
 template <class Item>
 void prefetch(const std::vector<Item>& items, std::size_t i) {

@@ -111,15 +111,15 @@ Result<Torus> torusOf(std::span<const Circle> circles, const Lattice& lattice, c
   return torus;
 }
 
-/// Returns the quotient, rounded down.
+/// Returns the quotient, rounded down. It is below 2^41, because reduced periods are not short (torusOf).
 double quotient(limbs::SignedWide numerator, limbs::SignedWide denominator) {
   const limbs::SignedWide whole = numerator / denominator;
-  return static_cast<double>(whole - (whole * denominator > numerator ? 1 : 0));
+  return static_cast<double>(static_cast<std::int64_t>(whole) - (whole * denominator > numerator ? 1 : 0));
 }
 
 limbs::SignedWide exactCross(Vector u, Vector v) {
   const auto times = [](double x, double y) {
-    return static_cast<limbs::SignedWide>(x) * static_cast<limbs::SignedWide>(y);
+    return limbs::SignedWide{static_cast<std::int64_t>(x)} * static_cast<std::int64_t>(y);
   };
   return times(u.x, v.y) - times(u.y, v.x);
 }

@@ -17,7 +17,7 @@ struct Moments {
 /// The library of files takes it from this one.
 CIRCLE_VORONOI_API Moments momentsOverChord(const EdgeCurve& curve, Point reference, double unit = 1);
 
-/// Returns sinh(d) - d for d = ln(ratio) >= 0, with square roots alone.
-double sinhExcess(double ratio);
+/// Returns sinh(d) - d for d = ln(ratio) >= 0, with square roots alone. Exported because fits use it.
+CIRCLE_VORONOI_API double sinhExcess(double ratio);
 
 }  // namespace circle_voronoi

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "export_frame.h"
+#include "portable.h"
 #include "prefetch.h"
 
 namespace circle_voronoi {
@@ -62,28 +63,29 @@ struct EdgePoints {
   /// not wait for it.
   template <class VisitCell>
   void visitCells(VisitCell visitCell) const {
-    // Inlined, because a compiler may drop calls of a function that only prefetches.
-    const auto prefetchEdges = [this](std::int32_t circle) __attribute__((always_inline)) {
-      for (const SideIndex side : diagram.sides(circle)) {
-        prefetch(diagram.edges, static_cast<std::size_t>(side / 2));
-        prefetch(firstInner, static_cast<std::size_t>(side / 2));
-      }
-    };
-    const auto prefetchPoints = [this](std::int32_t circle) __attribute__((always_inline)) {
-      for (const SideIndex side : diagram.sides(circle)) {
-        prefetch(inner, firstInner[static_cast<std::size_t>(side / 2)]);
-        const VertexIndex vertex = diagram.originOf(side);
-        if (vertex == kNone) continue;
-        prefetch(places, static_cast<std::size_t>(vertex));
-        prefetch(diagram.vertices, static_cast<std::size_t>(vertex));
-      }
-    };
     const auto count = static_cast<std::int32_t>(diagram.circles.size());
     constexpr std::int32_t kAhead = 3;
     for (std::int32_t i = 0; i < count; ++i) {
       if (count - i > 2 * kAhead) prefetchEdges(i + 2 * kAhead);
       if (count - i > kAhead) prefetchPoints(i + kAhead);
       visitCell(i);
+    }
+  }
+
+  // Inlined, because a compiler may drop calls of a function that only prefetches.
+  CIRCLE_VORONOI_ALWAYS_INLINE void prefetchEdges(CircleIndex circle) const {
+    for (const SideIndex side : diagram.sides(circle)) {
+      prefetch(diagram.edges, static_cast<std::size_t>(side / 2));
+      prefetch(firstInner, static_cast<std::size_t>(side / 2));
+    }
+  }
+  CIRCLE_VORONOI_ALWAYS_INLINE void prefetchPoints(CircleIndex circle) const {
+    for (const SideIndex side : diagram.sides(circle)) {
+      prefetch(inner, firstInner[static_cast<std::size_t>(side / 2)]);
+      const VertexIndex vertex = diagram.originOf(side);
+      if (vertex == kNone) continue;
+      prefetch(places, static_cast<std::size_t>(vertex));
+      prefetch(diagram.vertices, static_cast<std::size_t>(vertex));
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include "at.h"
 #include "dual.h"
+#include "portable.h"
 #include "predicates.h"
 
 namespace circle_voronoi {
@@ -28,7 +29,8 @@ inline constexpr std::int8_t kUnknownOrder = -2;
 /// Seen from the larger circle, counter-clockwise, the face on the right of its half-edge comes before the face on the
 /// left. In order, the turn between the directions to their discs is less than half a turn.
 template <class Discs>
-[[gnu::always_inline]] inline int orderOfEnds(const Dual& dual, int h, const Discs& discs, Predicates& predicates) {
+CIRCLE_VORONOI_ALWAYS_INLINE inline int orderOfEnds(const Dual& dual, int h, const Discs& discs,
+                                                    Predicates& predicates) {
   const int larger = fromLarger(dual, h, predicates);
   const int t = dual.twin[at(larger)];
   const int from = dual.origin[at(larger)];

@@ -14,6 +14,7 @@
 #include "at.h"
 #include "branchless.h"
 #include "certificate_message.h"
+#include "portable.h"
 #include "prefetch.h"
 
 namespace circle_voronoi {
@@ -138,7 +139,7 @@ class Judge {
 
   /// A diagram from outside has its circles in any order. Inlined, as a compiler may take a function that only does
   /// this for idle.
-  [[gnu::always_inline]] void prefetchCircles(std::size_t face) const {
+  CIRCLE_VORONOI_ALWAYS_INLINE void prefetchCircles(std::size_t face) const {
     if (face >= proof_.discs.size()) return;
     for (const int i : cornersOf(dual_, static_cast<int>(3 * face))) {
       if (isFinite(i)) prefetch(circles_, at(i));

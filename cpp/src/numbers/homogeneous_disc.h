@@ -16,6 +16,7 @@
 #include "circle_voronoi/circle.h"
 #include "estimate.h"
 #include "exact.h"
+#include "portable.h"
 
 namespace circle_voronoi {
 
@@ -82,8 +83,8 @@ inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d
 
 /// Returns the corner opposite the longest side if two or three of the given squared lengths are equal. If the longest
 /// side is not unique, the centers decide (CornerDisc).
-[[gnu::noinline]] inline int cornerOfTie(const Difference& d01, const Difference& d12, const Difference& d20,
-                                         double size01, double size12, double size20) {
+CIRCLE_VORONOI_NEVER_INLINE inline int cornerOfTie(const Difference& d01, const Difference& d12, const Difference& d20,
+                                                   double size01, double size12, double size20) {
   const double longest = std::max({size01, size12, size20});
   const bool may0 = size12 == longest;
   const bool may1 = size20 == longest;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "at.h"
+#include "portable.h"
 
 namespace circle_voronoi {
 
@@ -19,8 +20,8 @@ struct LeadingBits {
 namespace limbs {
 
 using Limb = std::uint64_t;
-__extension__ using Wide = unsigned __int128;
-__extension__ using SignedWide = __int128;
+using Wide = UnsignedInt128;
+using SignedWide = Int128;
 inline constexpr int kBits = 64;
 
 }  // namespace limbs

@@ -9,6 +9,7 @@
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "in_circle.h"
+#include "portable.h"
 #include "refined.h"
 #include "three_touch_disc.h"
 
@@ -33,7 +34,7 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
 
 /// Returns the exact disc at infinity of two circles, one of which nearly contains the other. This case is rare, so the
 /// function is not inlined.
-[[gnu::noinline, gnu::cold]] HomogeneousDisc exactDiscAtInfinity(const Circle& a, const Circle& b) {
+CIRCLE_VORONOI_COLD HomogeneousDisc exactDiscAtInfinity(const Circle& a, const Circle& b) {
   const auto normal = exact::tangentNormal(a, b);
   if (!normal) return {};
   return {normal->x, normal->y, 0, 0, 0x1p-48};

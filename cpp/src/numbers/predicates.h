@@ -15,6 +15,7 @@
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "infinity.h"
+#include "portable.h"
 #include "threads.h"
 #include "vectors.h"
 
@@ -156,7 +157,7 @@ class Predicates {
   }
 
  private:
-  [[gnu::noinline]] FaceDisc nearTie(const exact::Face& circles);
+  CIRCLE_VORONOI_NEVER_INLINE FaceDisc nearTie(const exact::Face& circles);
   FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered = false) const;
   bool isLowerExactly(int from, const Triple& face);
   Point center(int i) const { return {circles_[at(i)].x, circles_[at(i)].y}; }

@@ -129,7 +129,7 @@ auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
   for (const auto& difference : differences) {
     for (const SignedWide d : difference) all |= d < 0 ? ~d : d;
   }
-  return all >> kOneLimb == 0 ? seenAs(fixed<1>(differences)) : seenAs(fixed<2>(differences));
+  return (all >> kOneLimb) == 0 ? seenAs(fixed<1>(differences)) : seenAs(fixed<2>(differences));
 }
 
 /// Returns the axis D of the disc of (o, u, v).

@@ -24,6 +24,7 @@
 #include "at.h"
 #include "circle_voronoi/circle.h"
 #include "pair.h"
+#include "portable.h"
 #include "slot_set.h"
 #include "vectors.h"
 
@@ -104,8 +105,8 @@ class RotationSystem {
   /// Returns the remaining DEs in cycles of adjacent DEs, each as the list of the circles that they start from.
   std::vector<std::vector<int>> cycles() const;
 
-  void prefetchSlot(int slot) const { __builtin_prefetch(&slots_[at(slot)]); }
-  void prefetchEdge(int index) const { __builtin_prefetch(&edges_[at(index)]); }
+  void prefetchSlot(int slot) const { prefetch(&slots_[at(slot)]); }
+  void prefetchEdge(int index) const { prefetch(&edges_[at(index)]); }
 
  private:
   /// The DEs that start and end in a slot.

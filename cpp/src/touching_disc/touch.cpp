@@ -8,6 +8,7 @@
 
 #include "angle.h"
 #include "at.h"
+#include "portable.h"
 #include "rotation_system.h"
 #include "three_touch_disc.h"
 
@@ -76,8 +77,8 @@ class Touch {
   static constexpr std::size_t kDiscsAhead = 6;
 
   void prepare(const AntipodalDisc& disc) const {
-    __builtin_prefetch(&circles_[at(disc.a)]);
-    __builtin_prefetch(&circles_[at(disc.b)]);
+    prefetch(&circles_[at(disc.a)]);
+    prefetch(&circles_[at(disc.b)]);
     rotations_.prefetchSlot(disc.slotA);
     rotations_.prefetchSlot(disc.slotB);
   }
