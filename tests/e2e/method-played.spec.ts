@@ -154,7 +154,7 @@ test.describe('on a phone', () => {
     for (let k = 0; k < 20 && (await answers.count()) === 0; k++) await button(/^Next step$/).tap()
     await expect(answers.first()).toBeInViewport({ ratio: 1 })
     await expect(answers.last()).toBeInViewport({ ratio: 1 })
-    // The head above them uses the remaining room.
+    // The head fills the room above them.
     const gap = await answers.last().evaluate((answer) => {
       const player = answer.closest('.cv-player') as HTMLElement
       return player.getBoundingClientRect().bottom - answer.getBoundingClientRect().bottom

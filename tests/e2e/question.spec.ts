@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A question is made in the panel Share and asked by the embedded page.
+import type { Locator } from '@playwright/test'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { soon } from '../soon.ts'
 import { violationsInBoth } from './accessibility.ts'
@@ -80,6 +81,11 @@ test('conditions become the question of a frame, which is solved by moving a cir
   })
   await expect(tab.getByRole('status')).toHaveText('Gelöst')
   await expect(ring).toHaveClass(/closed/)
+  // Where nothing moves, a sign says it, too.
+  const before = (place: Locator, part: string) =>
+    place.evaluate((element, part) => getComputedStyle(element, part).content, part)
+  expect(await before(tab.getByRole('status'), '::before')).toContain('✓')
+  expect(await before(tab.locator('circle-voronoi .rings > span'), '::after')).toContain('✓')
 })
 
 test('circles keep their names in a question where others are deleted', async ({ app }) => {

@@ -205,7 +205,7 @@ test('a photo becomes circles in its colors', async ({ app }) => {
   await expect(app.status).toContainText('3,600 circles')
   await expect(bar).toContainText('3,600 circles')
   expect(await violationsInBoth(page)).toEqual([])
-  // More than 2,000 circles cannot move.
+  // The limit of circles that move is lower.
   expect([await isPressable('Breathe'), await isPressable('More')]).toEqual([false, true])
   const [saved] = await Promise.all([page.waitForEvent('download'), bar.getByRole('button', { name: 'Save' }).click()])
   const png = readFileSync(await saved.path())

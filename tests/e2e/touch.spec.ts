@@ -100,10 +100,11 @@ test('a long press and taps select several circles, which are dragged together',
   }).toEqual([1, 3, 6])
 })
 
-test('the tray of tools has a caption below each icon, and the tutorial is in sight', async ({ page }) => {
+test('the tray of tools has a caption below each icon, and title and tutorial are in sight', async ({ page }) => {
   const app = new App(page)
   await app.open(START_LINK)
-  await expect(page.getByRole('link', { name: 'Tutorial' })).toBeInViewport({ ratio: 1 })
+  for (const name of [page.getByRole('link', { name: 'Tutorial' }), page.getByRole('heading', { level: 1 })])
+    await expect(name).toBeInViewport({ ratio: 1 })
   await page.getByRole('button', { name: 'More tools' }).tap()
   const tools = page.locator('#more-tools button')
   for (const tool of await tools.all()) {

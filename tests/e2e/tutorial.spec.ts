@@ -347,6 +347,18 @@ for (const [i, chapter] of readBook()
   })
 }
 
+test('questions, exercises and figures have the same width, on screens and on phones', async ({ page }) => {
+  for (const width of [1440, 390]) {
+    await page.setViewportSize({ width, height: 900 })
+    await page.goto('/tutorial/01-nearest-circle.html')
+    const widths = await page
+      .locator('form.question, .try, main figure:not(.try figure)')
+      .evaluateAll((parts) => parts.map((part) => Math.round(part.getBoundingClientRect().width)))
+    expect(widths.length).toBeGreaterThan(5)
+    expect([...new Set(widths)], `${width}`).toHaveLength(1)
+  }
+})
+
 test('a judge that cannot be loaded says so, and is asked for again', async ({ page }) => {
   const chapter = readBook().find(({ blocks }) => blocks.some(({ kind }) => kind === 'corrupt')) as Chapter
   await page.route('**/circle-voronoi-*.wasm', (route) => route.fulfill({ status: 404 }))

@@ -430,7 +430,7 @@ class MethodPlayer implements Player {
     const above = isSticky ? head.getBoundingClientRect().bottom - top : 0
     const below = bottom - around.bottom
     if (above > 0) root.scrollTop -= above + REVEALED
-    // Above a question is as much of the head as has room.
+    // The head fills the room above a question.
     else if (below > 0 || !isSticky) root.scrollTop += below + REVEALED
   }
 
