@@ -133,8 +133,9 @@ describe.each(KINDS)('--project %s', (kind) => {
     const edit = ['edit', '-', '--script', script]
     expect(JSON.parse(run(edit, stdout).stdout)).toMatchObject({ collection, circles })
     // The editor's edges have other directions, along which areas are summed.
-    const areas = cellsOf(['convert', '-'], stdout).map(({ properties }) => properties.area)
-    const edited = cellsOf(edit, stdout)
+    const sized = ['--max-distance', '30000']
+    const areas = cellsOf(['convert', '-', ...sized], stdout).map(({ properties }) => properties.area)
+    const edited = cellsOf([...edit, ...sized], stdout)
     expect(edited).toHaveLength(areas.length)
     for (const [k, area] of areas.entries()) {
       expect(Math.abs((edited[k] as Cell).properties.area / area - 1)).toBeLessThan(1e-12)

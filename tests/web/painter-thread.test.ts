@@ -172,7 +172,7 @@ it('an SVG has the power diagram and what depends on all circles, however soon i
   const before = saidOf('answer').length
   const frame = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
   const told = new Proxy(style, { get: (style, name) => (name === 'power' ? 'power' : Reflect.get(style, name)) })
-  send({ kind: 'ask', scene: 5, request: nextRequest(), name: 'svg', args: [frame, told] })
+  send({ kind: 'ask', scene: 5, request: nextRequest(), name: 'svg', args: [frame, told, []] })
   await heard(5)
   const { elements, found } = saidOf('answer').map(({ value }) => value)[before] as DrawnSvg
   expect(elements).toContain('stroke="power"')
@@ -258,7 +258,7 @@ describe('one scene', () => {
     await openScene(3)
     const draw = (width: number, name: 'image' | 'svg') => {
       const frame = { x: 0, y: 0, scale: 1, width, height: 100 }
-      const args = name === 'svg' ? [frame, style] : [frame, 1, style]
+      const args = name === 'svg' ? [frame, style, []] : [frame, 1, style]
       send({ kind: 'ask', scene: 3, request: nextRequest(), name, args })
     }
     draw(2 * LARGEST, 'image')

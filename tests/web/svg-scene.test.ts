@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, it } from 'vitest'
 import { circlesOfSvg, tableOfSvg, withLink, withTable } from '../../web/app/files/svg-scene.ts'
+import { loadFiles } from '../../web/lib/files.ts'
+import { library } from './library.ts'
 
 const CIRCLES = `<circle data-circle="0" cx="0" cy="0" r="2"/>
 <circle data-circle="1" class="hidden" cx="0.5" cy="0" r="1"/>
@@ -38,4 +40,14 @@ it('a drawing has its link or its table back, whatever they contain', () => {
   expect(tableOfSvg(drawing)).toBe(csv)
   expect(drawing).not.toMatch(/<a>|&(?!#\d+;)/)
   expect([tableOfSvg(svg), tableOfSvg(withLink(svg, 'v1.a'))]).toEqual([undefined, undefined])
+})
+
+it('are circles in a drawing of the program, also with names', async () => {
+  const circles = Float64Array.of(0, 0, 2, 10, 0, 1)
+  const { writeDiagram } = await loadFiles()
+  const properties = ['{"name":"A > <g>"}', '{}']
+  const attributes = { properties, ids: [], heights: [], collection: '' }
+  const text = writeDiagram(library.compute(circles), { format: 'svg', attributes })
+  expect(text).toContain('</title></circle>')
+  expect(circlesOfSvg(text, 'a.svg')).toEqual({ circles })
 })

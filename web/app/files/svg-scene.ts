@@ -11,7 +11,7 @@ const CIRCLES = /<g (?:id="circles" )?class="circles"[^<>]*>([\s\S]*?)<\/g>/
 // Periodic drawings are refused, because their lattice is not in them.
 const PERIODIC = /<g id="given[^<>]*>/
 // The markup of circles, and of points for radius 0.
-const CIRCLE = /<circle data-circle="(\d+)"[^<>]* cx="([^"]+)" cy="([^"]+)" r="([^"]+)"\/>/y
+const CIRCLE = /<circle data-circle="(\d+)"[^<>]* cx="([^"]+)" cy="([^"]+)" r="([^"]+)"\/?>/y
 
 /** Adds a link with the drawing's state. */
 export function withLink(svg: string, link: string): string {
