@@ -85,7 +85,7 @@ Clip clipOf(const SharedDiagram& diagram, const Limits& limits) {
   const SharedRegion region =
       limits.region != nullptr
           ? limits.region
-          : std::make_shared<Region>(valueOf(Region::from(exportBox(diagram->circles, limits.maxDistance))));
+          : std::make_shared<Region>(valueOf(Region::from(exportBox(*diagram, limits.maxDistance))));
   return {diagram, region, valueOf(ClippedDiagram::from(*diagram, *region, limits.maxDistance))};
 }
 

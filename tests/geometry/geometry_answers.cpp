@@ -97,7 +97,7 @@ class Questions {
   void askBoxes() const {
     const Box box = exportBox(diagram_.circles);
     Answer("exportBox") << box.minX << box.minY << box.maxX << box.maxY;
-    const Box grown = exportBox(diagram_.circles, maxDistance_);
+    const Box grown = exportBox(diagram_, maxDistance_);
     Answer("exportBox of a distance") << grown.minX << grown.minY << grown.maxX << grown.maxY;
   }
 
