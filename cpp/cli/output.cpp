@@ -94,12 +94,14 @@ void noteScales(const Projection& projection, std::span<const Circle> circles, P
 void refusePoles(const Output& output, const std::string& name, const Diagram& diagram) {
   if (!output.projection || !(output.format.starts_with("geojson") || output.format == "wkt")) return;
   if (diagram.circles.empty()) return;
-  const Box box = output.region ? output.region->bounds() : exportBox(diagram.circles, output.maxDistance);
+  const Box box = output.region ? output.region->bounds() : exportBox(diagram, output.maxDistance);
   for (const Point pole : output.projection->poles()) {
     const bool isIn = pole.x >= box.minX && pole.x <= box.maxX && pole.y >= box.minY && pole.y <= box.maxY;
     if (!isIn || (output.region && !output.region->contains(pole))) continue;
     const CircleIndex nearest = Finder(diagram).find(pole);
-    if (output.maxDistance && distanceFrom(diagram, nearest, pole) > *output.maxDistance) continue;
+    // A power is compared with the square of a length.
+    const double unit = diagram.metric == Metric::power ? std::abs(output.maxDistance.value_or(0)) : 1;
+    if (output.maxDistance && distanceFrom(diagram, nearest, pole) > *output.maxDistance * unit) continue;
     throw CommandError{kBadInput, name + ": the cell of circle " + std::to_string(nearest) +
                                       " contains a pole, so it is no polygon in degrees around its center; use "
                                       "--sphere."};

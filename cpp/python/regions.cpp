@@ -82,7 +82,7 @@ Clip clipOf(const SharedDiagram& diagram, const Limits& limits) {
   const SharedRegion region =
       limits.region != nullptr
           ? limits.region
-          : std::make_shared<Region>(valueOf(Region::from(exportBox(diagram->circles, limits.maxDistance))));
+          : std::make_shared<Region>(valueOf(Region::from(exportBox(*diagram, limits.maxDistance))));
   return {diagram, region, valueOf(ClippedDiagram::from(*diagram, *region, limits.maxDistance))};
 }
 
@@ -116,7 +116,7 @@ py::array perimeters(const SharedDiagram& diagram, const SharedRegion& region, s
 
 /// The box to which polygons and drawings are clipped without other limits.
 py::tuple exportBounds(const Diagram& diagram, std::optional<double> maxDistance) {
-  return tupleOf(exportBox(diagram.circles, maxDistance));
+  return tupleOf(exportBox(diagram, maxDistance));
 }
 
 /// Whether the limits, or without them the box of `exportBounds`, cut each cell.

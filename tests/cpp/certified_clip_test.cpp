@@ -99,7 +99,6 @@ TEST_P(ClipFamilies, HaveTheAreasOfAnIndependentClipWithinADistance) {
   std::mt19937_64 random(seed + 1);
   forFamily(clipFamilies()[GetParam()], seed,
             [&](const ClipInput& input, const Region& region, const Diagram& diagram, const ClippedDiagram&) {
-              if (input.metric == Metric::power) return;
               const double distance = test::anyDistance(input, random);
               SCOPED_TRACE("within " + std::to_string(distance));
               const auto clipped = ClippedDiagram::from(diagram, region, distance);
@@ -164,7 +163,6 @@ TEST_P(ClipFamilies, HaveLoopsInTheirDirectionsAlsoWithinADistance) {
   forFamily(clipFamilies()[GetParam()], seed,
             [&](const ClipInput& input, const Region& region, const Diagram& diagram, const ClippedDiagram& clipped) {
               expectOrientations(input, clipped);
-              if (input.metric == Metric::power) return;
               const double distance = test::anyDistance(input, random);
               SCOPED_TRACE("within " + std::to_string(distance));
               const auto near = ClippedDiagram::from(diagram, region, distance);

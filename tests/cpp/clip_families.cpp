@@ -350,6 +350,12 @@ double farthestOf(const ClipInput& input) {
 
 double radiusOf(const ClipInput& input, const Circle& circle) { return input.metric == Metric::circles ? circle.r : 0; }
 
+double distanceOfReach(const ClipInput& input, const Circle& circle, double reach) {
+  if (input.metric != Metric::power) return reach - radiusOf(input, circle);
+  const double power = (reach - circle.r) * (reach + circle.r);
+  return std::copysign(std::sqrt(std::abs(power)), power);
+}
+
 double anyDistance(const ClipInput& input, std::mt19937_64& random) {
   const auto& circles = input.circles;
   const Circle& c = circles[static_cast<std::size_t>(pick(random, 0, static_cast<int>(circles.size()) - 1))];
@@ -361,22 +367,25 @@ double anyDistance(const ClipInput& input, std::mt19937_64& random) {
   const double toCorner = std::hypot(p.x - c.x, p.y - c.y);
   switch (pick(random, 0, 5)) {
     case 0:
-      return toCorner - r;
+      return distanceOfReach(input, c, toCorner);
     case 1:
       // The circles of many families touch one disc around the origin.
-      return std::hypot(c.x, c.y) - r;
-    case 2:
-      return (std::hypot(d.x - c.x, d.y - c.y) - r - radiusOf(input, d)) / 2;
+      return distanceOfReach(input, c, std::hypot(c.x, c.y));
+    case 2: {
+      const double apart = std::hypot(d.x - c.x, d.y - c.y);
+      if (input.metric != Metric::power) return (apart - r - radiusOf(input, d)) / 2;
+      return apart > 0 ? distanceOfReach(input, c, std::abs(apart + (c.r - d.r) / apart * (c.r + d.r)) / 2) : 0;
+    }
     case 3:
       return toss(random) ? 0 : -std::floor(r / 2);
     case 4: {
       const Point q = ring[(corner + 1) % ring.size()];
       const double size = std::hypot(p.x - q.x, p.y - q.y);
       const double height = (p.x - q.x) * (c.y - q.y) - (p.y - q.y) * (c.x - q.x);
-      return size > 0 ? std::abs(height) / size - r : 1;
+      return size > 0 ? distanceOfReach(input, c, std::abs(height) / size) : 1;
     }
     default:
-      return (0.2 + 1.2 * unit(random)) * toCorner - r;
+      return distanceOfReach(input, c, (0.2 + 1.2 * unit(random)) * toCorner);
   }
 }
 

@@ -31,8 +31,11 @@ double farthestOf(const ClipInput& input);
 /// Returns the radius of a circle in the metric of an input.
 double radiusOf(const ClipInput& input, const Circle& circle);
 
+/// Returns the distance at which the disc of a circle has a radius.
+double distanceOfReach(const ClipInput& input, const Circle& circle, double reach);
+
 /// Returns a distance at which the disc of a circle meets a corner, a side, a vertex, or another disc, up to rounding,
-/// or something else. Precondition: the metric is not the power.
+/// or something else.
 double anyDistance(const ClipInput& input, std::mt19937_64& random);
 
 /// Returns the polygons of a cell, as a region is made from.

@@ -44,11 +44,27 @@ int trials() {
   return count == nullptr ? 12 : std::atoi(count);
 }
 
-/// An input and a distance.
+/// An input and a distance. `weights`: as in Options.
 struct DistanceInput {
   ClipInput clip;
   double distance = 0;
+  bool weights = false;
 };
+
+/// Returns the radius of the disc in which a cell is kept.
+double reachOf(const DistanceInput& input, const Circle& circle) {
+  const double distance = input.distance;
+  if (input.clip.metric != Metric::power) return std::max(radiusOf(input.clip, circle) + distance, 0.0);
+  const double weight = input.weights ? circle.r : circle.r * circle.r;
+  return std::sqrt(std::max(weight + distance * std::abs(distance), 0.0));
+}
+
+/// Returns the discs in which cells are kept.
+ClipInput discsOf(const DistanceInput& input) {
+  ClipInput discs = input.clip;
+  for (Circle& c : discs.circles) c.r = input.weights ? reachOf(input, c) : c.r;
+  return discs;
+}
 
 /// Moves the region so that one of its corners has the offset (3, 4), (5, 12) ... from a center, in some unit.
 DistanceInput cornerOnRim(Generator& random) {
@@ -174,10 +190,7 @@ DistanceInput rimsAtSide(Generator& random) {
 DistanceInput anyFamily(Generator& random) {
   const auto& families = test::clipFamilies();
   DistanceInput input;
-  do {
-    input.clip =
-        families[static_cast<std::size_t>(pick(random, 0, static_cast<int>(families.size()) - 1))].make(random);
-  } while (input.clip.metric == Metric::power);
+  input.clip = families[static_cast<std::size_t>(pick(random, 0, static_cast<int>(families.size()) - 1))].make(random);
   input.distance = test::anyDistance(input.clip, random);
   return input;
 }
@@ -203,15 +216,59 @@ DistanceInput anything(Generator& random) {
   return input;
 }
 
+/// The discs of another family as those of a power diagram, whose centers may lie outside of their cells.
+template <auto make>
+DistanceInput asPower(Generator& random) {
+  DistanceInput input = make(random);
+  const double distance = pick(random, -9, 9);
+  for (Circle& c : input.clip.circles) {
+    const double reach = c.r + input.distance;
+    c.r = reach * std::abs(reach) - distance * std::abs(distance);
+  }
+  input.clip.metric = Metric::power;
+  input.distance = distance;
+  input.weights = true;
+  return input;
+}
+
+/// A power diagram of which rims pass through one point, where a vertex may be. It lies in the region, on its boundary
+/// or in a corner of it.
+DistanceInput rimsThroughVertex(Generator& random) {
+  DistanceInput input;
+  input.clip.metric = Metric::power;
+  input.distance = pick(random, -9, 9);
+  input.weights = true;
+  const int onRim = pick(random, 1, 5);
+  for (int k = onRim + pick(random, 0, 2); k > 0; --k) {
+    const double x = pick(random, -20, 20);
+    const double y = pick(random, -20, 20);
+    const double less = k > onRim ? pick(random, 0, 400) : 0;
+    input.clip.circles.push_back({x, y, x * x + y * y - input.distance * std::abs(input.distance) - less});
+  }
+  const auto anyPoint = [&] {
+    return Point{static_cast<double>(pick(random, -30, 30)), static_cast<double>(pick(random, -30, 30))};
+  };
+  Region::Ring ring = {anyPoint(), anyPoint(), anyPoint()};
+  if (pick(random, 0, 2) == 0) ring[0] = {0, 0};
+  if (pick(random, 0, 2) == 0) ring[1] = {-2 * ring[0].x, -2 * ring[0].y};
+  if (pick(random, 0, 2) == 0) ring = {{-99, -99}, {99, -99}, {99, 99}, {-99, 99}};
+  input.clip.rings = {ring};
+  return input;
+}
+
 struct DistanceFamily {
   const char* name;
   DistanceInput (*make)(Generator& random);
 };
-constexpr std::array<DistanceFamily, 5> kFamilies = {{{"cornerOnRim", cornerOnRim},
+constexpr std::array<DistanceFamily, 9> kFamilies = {{{"cornerOnRim", cornerOnRim},
                                                       {"tangentSide", tangentSide},
                                                       {"rimsAtSide", rimsAtSide},
                                                       {"anyFamily", anyFamily},
-                                                      {"anything", anything}}};
+                                                      {"anything", anything},
+                                                      {"powerCornerOnRim", asPower<cornerOnRim>},
+                                                      {"powerTangentSide", asPower<tangentSide>},
+                                                      {"powerRimsAtSide", asPower<rimsAtSide>},
+                                                      {"rimsThroughVertex", rimsThroughVertex}}};
 
 double lengthOfPiece(const OutlinePiece& piece) {
   return std::hypot(piece.curve.end.x - piece.curve.start.x, piece.curve.end.y - piece.curve.start.y);
@@ -281,7 +338,9 @@ void forFamily(const DistanceFamily& family, std::uint64_t seed, int count, Chec
     // Also tiny and huge ones.
     const double scale = pick(random, 0, 3) == 0 ? std::ldexp(1.0, pick(random, -30, 30)) : 1;
     input.distance *= scale;
-    for (Circle& c : input.clip.circles) c = {c.x * scale, c.y * scale, c.r * scale};
+    for (Circle& c : input.clip.circles) {
+      c = {c.x * scale, c.y * scale, c.r * scale * (input.weights ? scale : 1)};
+    }
     for (auto& ring : input.clip.rings) {
       for (Point& p : ring) p = {p.x * scale, p.y * scale};
     }
@@ -289,7 +348,8 @@ void forFamily(const DistanceFamily& family, std::uint64_t seed, int count, Chec
     if (!region) continue;
     ++done;
     SCOPED_TRACE(std::string(family.name) + ", clip " + std::to_string(done) + ", seed " + std::to_string(seed));
-    const Diagram diagram = compute(input.clip.circles, {.metric = input.clip.metric}).value();
+    const auto computed = compute(input.clip.circles, {.metric = input.clip.metric, .weights = input.weights});
+    const Diagram& diagram = computed.value();
     const auto clipped = ClippedDiagram::from(diagram, *region, input.distance);
     ASSERT_TRUE(clipped) << clipped.error().message;
     check(input, *clipped, random);
@@ -300,13 +360,13 @@ void forFamily(const DistanceFamily& family, std::uint64_t seed, int count, Chec
 TEST_P(DistanceFamilies, HaveTheCellsOfAnIndependentClip) {
   forFamily(kFamilies[GetParam()], seedOr(71), trials(),
             [](const DistanceInput& input, const ClippedDiagram& clipped, Generator&) {
-              const auto& [clip, distance] = input;
+              const auto& [clip, distance, weights] = input;
               const Region& region = clipped.region();
-              const auto expected = cellsByBruteForce(clip.circles, region, clip.metric, distance);
+              const auto expected = cellsByBruteForce(clip.circles, region, clip.metric, distance, weights);
+              const double rounding = 1e-15 * test::farthestOf(discsOf(input));
               for (std::size_t i = 0; i < expected.size(); ++i) {
-                const double reach = radiusOf(clip, clip.circles[i]) + distance;
-                const double size = std::min(test::extentOf(region), std::max(2 * reach, 0.0));
-                expectCell(clipped, static_cast<std::int32_t>(i), expected[i], size, 1e-15 * test::farthestOf(clip));
+                const double size = std::min(test::extentOf(region), 2 * reachOf(input, clip.circles[i]));
+                expectCell(clipped, static_cast<std::int32_t>(i), expected[i], size, rounding);
               }
             });
 }
@@ -334,10 +394,10 @@ void expectValidPolygons(const ClippedDiagram& clipped, double tolerance, double
 TEST_P(DistanceFamilies, HaveValidPolygonsAtAnyTolerance) {
   forFamily(kFamilies[GetParam()], seedOr(72), 5 * trials(),
             [](const DistanceInput& input, const ClippedDiagram& clipped, Generator& random) {
-              if (!test::hasPolygons(input.clip)) return;
+              if (!test::hasPolygons(discsOf(input))) return;
               const double extent = test::extentOf(clipped.region());
               const double tolerance = std::pow(10.0, -6 + 9 * unit(random)) * extent;
-              expectValidPolygons(clipped, tolerance, 1e-12 * test::farthestOf(input.clip) * extent);
+              expectValidPolygons(clipped, tolerance, 1e-12 * test::farthestOf(discsOf(input)) * extent);
             });
 }
 
@@ -464,6 +524,16 @@ TEST(DistanceClip, LoopsThatAreWrongAreRefused) {
   const Region region = test::regionFrom({{{-3, -3}, {6, -2}, {5, 6}, {-2, 6}}, {{-1, 0}, {-0.5, -0.5}, {-0.5, 0.5}}});
   const auto clipped = ClippedDiagram::from(diagram, region, 1.25).value();
   for (const CircleIndex i : {0, 1, 2}) expectFaultsRefused(clipped, i);
+}
+
+// The center of the second circle lies outside its cell, and the disc of the third one outside the region.
+TEST(DistanceClip, LoopsOfPowerDiagramsThatAreWrongAreRefused) {
+  const std::vector<Circle> circles = {{0, 0, 5}, {1, 0, 4.5}, {9, 9, 1}};
+  const Diagram diagram = compute(circles, {.metric = Metric::power}).value();
+  const Region region = test::regionFrom({{{-3, -3}, {6, -2}, {5, 6}, {-2, 6}}, {{-1, 0}, {-0.5, -0.5}, {-0.5, 0.5}}});
+  const auto clipped = ClippedDiagram::from(diagram, region, -1).value();
+  for (const CircleIndex i : {0, 1}) expectFaultsRefused(clipped, i);
+  EXPECT_TRUE(clipped.outline(2).empty());
 }
 
 // No loop of such a cell meets the rim of its disc, so only their areas tell whether one is missing.

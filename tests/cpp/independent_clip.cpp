@@ -70,7 +70,7 @@ class BruteForce {
 
  public:
   BruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric, std::optional<double> maxDistance,
-             const Real& rounding)
+             const Real& rounding, bool weights = false)
       : metric_(metric), areas_(circles.size()) {
     if (maxDistance) maxDistance_ = Real(*maxDistance);
     const Box box = region.bounds();
@@ -92,7 +92,7 @@ class BruteForce {
       indices_.push_back(i);
       centers_.push_back(placed({c.x, c.y}));
       radii_.push_back(Real(metric == Metric::circles ? c.r : 0));
-      weights_.push_back(Real(metric == Metric::power ? c.r * c.r : 0));
+      weights_.push_back(metric != Metric::power ? Real(0) : weights ? Real(c.r) : Real(c.r) * Real(c.r));
       farthest = std::max(farthest, lengthOf(centers_.back()) + abs(radii_.back()));
       for (std::size_t k = 0; k + 1 < centers_.size(); ++k) {
         const Real distance = lengthOf(centers_.back() - centers_[k]);
@@ -328,7 +328,10 @@ class BruteForce {
   }
 
   /// The radius of the disc in which a cell is kept.
-  Real reachOf(std::size_t i) const { return std::max(Real(radii_[i] + *maxDistance_), Real(0)); }
+  Real reachOf(std::size_t i) const {
+    if (metric_ != Metric::power) return std::max(Real(radii_[i] + *maxDistance_), Real(0));
+    return sqrt(std::max(Real(weights_[i] + *maxDistance_ * abs(*maxDistance_)), Real(0)));
+  }
   bool isNear(std::size_t i, Spot p) const { return !maxDistance_ || lengthOf(p - centers_[i]) <= reachOf(i); }
 
   /// The points where the discs of two circles meet.
@@ -407,8 +410,8 @@ std::vector<double> areasByBruteForce(const std::vector<Circle>& circles, const 
 }
 
 std::vector<IndependentCell> cellsByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
-                                               std::optional<double> maxDistance) {
-  return BruteForce<Long>(circles, region, metric, maxDistance, Long("1e-98")).cells();
+                                               std::optional<double> maxDistance, bool weights) {
+  return BruteForce<Long>(circles, region, metric, maxDistance, Long("1e-98"), weights).cells();
 }
 
 }  // namespace circle_voronoi::test

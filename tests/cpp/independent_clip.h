@@ -15,7 +15,8 @@ namespace circle_voronoi::test {
 /// region and each bisector of two circles is divided wherever it may cross anything, and the middle of each piece says
 /// by brute force whose border it is. Takes about n^3 (n + m) steps. Areas are right to about 1e-8 of the square of the
 /// extent, for a region as large as the circles whose sides are not tangent to edges. For others, numbers have 100
-/// digits if `isLong`. With a maximum distance, cells are cut at that distance from their circles.
+/// digits if `isLong`. With a maximum distance, cells are cut at that distance from their circles: in a power diagram
+/// at points whose power is its square, or minus its square if it is negative.
 std::vector<double> areasByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
                                       bool isLong = false, std::optional<double> maxDistance = {});
 
@@ -29,7 +30,8 @@ struct IndependentCell {
 };
 
 /// Computes the parts of the cells of a few circles in a region with numbers of 100 digits, as areasByBruteForce does.
+/// `weights`: as in Options, for the power metric only.
 std::vector<IndependentCell> cellsByBruteForce(const std::vector<Circle>& circles, const Region& region, Metric metric,
-                                               std::optional<double> maxDistance = {});
+                                               std::optional<double> maxDistance = {}, bool weights = false);
 
 }  // namespace circle_voronoi::test

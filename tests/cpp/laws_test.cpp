@@ -362,9 +362,9 @@ TEST(Laws, OfSignsOfAMovedRegion) {
   });
 }
 
-TEST(Laws, OfSignsAtADistance) {
-  forEachInput(8, 12, [](const std::vector<Circle>& circles, Random& random) {
-    const auto computed = compute(circles);
+void expectLawsAtADistance(Metric metric) {
+  forEachInput(8, 12, [&](const std::vector<Circle>& circles, Random& random) {
+    const auto computed = compute(circles, {.metric = metric});
     if (!computed || computed->vertices.empty()) return;
     const Diagram& diagram = *computed;
     // Rims that go through vertices, up to rounding, and others.
@@ -374,7 +374,8 @@ TEST(Laws, OfSignsAtADistance) {
     const DistanceSigns signs(diagram, distance);
     const auto corners = cornersAt(diagram, random);
     for (const Edge& edge : diagram.edges) {
-      EXPECT_EQ(signs.hasApex(edge.left, edge.right), signs.hasApex(edge.right, edge.left));
+      EXPECT_EQ(signs.meetsRim(edge.left, RimLine::ofEdge(edge.right)),
+                signs.meetsRim(edge.right, RimLine::ofEdge(edge.left)));
       for (const VertexIndex v : {edge.start, edge.end}) {
         if (v == kNone) continue;
         const ShiftedSign past = signs.pastApex(edge.left, edge.right, v);
@@ -388,11 +389,11 @@ TEST(Laws, OfSignsAtADistance) {
       for (const Point p : corners) {
         for (const Point q : corners) {
           if (p == q) continue;
-          EXPECT_EQ(signs.meetsDisc(cell, p, q), signs.meetsDisc(cell, q, p));
+          EXPECT_EQ(signs.meetsRim(cell, RimLine::ofSide(p, q)), signs.meetsRim(cell, RimLine::ofSide(q, p)));
           for (const Point r : {p, q, corners.front()}) {
             EXPECT_EQ(signs.pastFoot(cell, p, q, r).sign, -signs.pastFoot(cell, q, p, r).sign);
           }
-          if (!signs.meetsDisc(cell, p, q) || std::pair(p.x, p.y) > std::pair(q.x, q.y)) continue;
+          if (!signs.meetsRim(cell, RimLine::ofSide(p, q)) || std::pair(p.x, p.y) > std::pair(q.x, q.y)) continue;
           for (const bool isAhead : {false, true}) {
             rim.push_back(signs.rimPoint(cell, RimLine::ofSide(p, q), isAhead));
           }
@@ -410,6 +411,9 @@ TEST(Laws, OfSignsAtADistance) {
     }
   });
 }
+
+TEST(Laws, OfSignsAtADistance) { expectLawsAtADistance(Metric::circles); }
+TEST(Laws, OfSignsAtADistanceInPowerDiagrams) { expectLawsAtADistance(Metric::power); }
 
 }  // namespace
 }  // namespace laws_test

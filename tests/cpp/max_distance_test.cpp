@@ -349,6 +349,131 @@ TEST(MaxDistance, OfTheCentersIsCutAroundThese) {
 }
 
 // Polygons within the tolerance, one for each cell, and nothing of the diagram beyond the distance.
+/// Returns the discs in which the cells of a power diagram are kept.
+Circles discsWithin(const Diagram& diagram, double d) {
+  Circles discs = diagram.circles;
+  for (Circle& c : discs) {
+    const double weight = diagram.weights ? c.r : c.r * c.r;
+    c.r = std::sqrt(std::max(weight + d * std::abs(d), 0.0));
+  }
+  return discs;
+}
+
+/// Expects of a power diagram that cells cut at a distance make up the union of the discs.
+void expectUnion(const Diagram& diagram, double d) {
+  const Circles discs = discsWithin(diagram, d);
+  const double size = extentOf(discs) + 1e-30;
+  double sum = 0;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(discs.size()); ++i) {
+    const Outline cut = outlineWithin(diagram, i, d);
+    EXPECT_LE(cut.size(), 1U);
+    for (const Loop& loop : cut) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        EXPECT_EQ(loop[k].curve.end, loop[(k + 1) % loop.size()].curve.start) << "cell " << i << " piece " << k;
+        const Circle& c = discs[static_cast<std::size_t>(i)];
+        if (loop[k].isOnCircle()) {
+          EXPECT_NEAR(loop[k].r, c.r, 1e-15 * c.r);
+        }
+        const Point p = loop[k].curve.start;
+        EXPECT_LE(std::hypot(p.x - c.x, p.y - c.y), c.r + 1e-7 * size) << "cell " << i << " piece " << k;
+      }
+    }
+    EXPECT_GE(area(cut), -1e-12 * size * size);
+    sum += area(cut);
+  }
+  EXPECT_NEAR(sum, unionArea(discs, 0), 1e-7 * size * size) << d;
+}
+
+TEST(MaxDistance, OfPowerDiagramsAddsUpToTheUnionOfTheDiscs) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    for (std::uint64_t trial = 0; trial < 4; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      const Circles circles = generate(family.family, 1 + random.below(60), random.next());
+      SCOPED_TRACE(std::string(family.name) + ", trial " + std::to_string(trial));
+      const Diagram diagram = compute(circles, {.metric = Metric::power}).value();
+      const double extent = extentOf(circles) > 0 ? extentOf(circles) : 1;
+      for (const double d : {0.0, extent * random.logUniform(-4, 1), -extent * random.logUniform(-4, 0)}) {
+        expectUnion(diagram, d);
+      }
+      if (HasFailure()) FAIL() << test::describe(circles);
+    }
+  }
+}
+
+// Weights of any sign, whose discs pass through vertices, through which all rims pass, and touch one another.
+TEST(MaxDistance, OfTiesInPowerDiagramsAddsUpToTheUnionOfTheDiscs) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (std::uint64_t trial = 0; trial < 6; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      Circles circles = kind.make(2 + random.below(40), random);
+      SCOPED_TRACE(std::string(kind.name) + ", trial " + std::to_string(trial));
+      const bool weights = trial % 2 == 1;
+      for (Circle& c : circles) c.r = weights ? c.r * (static_cast<double>(random.below(9)) - 4) : c.r;
+      const Diagram diagram = compute(circles, {.metric = Metric::power, .weights = weights}).value();
+      std::vector<double> distances = {-5, 0, 0.5, 1, 4, extentOf(circles)};
+      for (std::size_t v = 0; v < diagram.vertices.size(); v += 3) distances.push_back(diagram.vertices[v].r);
+      for (const double d : distances) {
+        if (std::abs(d) < 1e6) expectUnion(diagram, d);
+      }
+      if (HasFailure()) FAIL() << test::describe(circles);
+    }
+  }
+}
+
+// The tangents from a point to a circle are as long as the root of its power.
+TEST(MaxDistance, OfAPowerDiagramIsTheLengthOfTangents) {
+  const Diagram one = compute(Circles{{3, 4, 5}}, {.metric = Metric::power}).value();
+  EXPECT_NEAR(area(outlineWithin(one, 0, 12)), 169 * kPi, 1e-12);
+  EXPECT_NEAR(area(outlineWithin(one, 0, -4)), 9 * kPi, 1e-13);
+  EXPECT_TRUE(outlineWithin(one, 0, -5).empty());
+  const Diagram negative = compute(Circles{{0, 0, -9}, {9, 0, 0}}, {.metric = Metric::power, .weights = true}).value();
+  EXPECT_TRUE(outlineWithin(negative, 0, 3).empty());
+  EXPECT_NEAR(area(outlineWithin(negative, 0, 5)), 16 * kPi, 1e-13);
+}
+
+// A cell without its center: the disc of the inner circle lies outside its cell, touches it, or meets it.
+TEST(MaxDistance, OfAPowerDiagramMayLeaveNothingOfACellWithoutItsCenter) {
+  const Diagram diagram = compute(Circles{{0, 0, 25}, {1, 0, 4}}, {.metric = Metric::power, .weights = true}).value();
+  for (std::int32_t i : {0, 1}) ASSERT_TRUE(diagram.hasCell(i));
+  // The bisector is x = 11.
+  EXPECT_TRUE(outlineWithin(diagram, 1, 0).empty());
+  EXPECT_TRUE(outlineWithin(diagram, 1, std::sqrt(96) - 1e-9).empty());
+  EXPECT_FALSE(outlineWithin(diagram, 1, std::sqrt(96) + 1e-9).empty());
+  EXPECT_NEAR(area(outlineWithin(diagram, 0, 5)), 50 * kPi, 1e-12);
+}
+
+TEST(MaxDistance, OfEqualWeightsIsThatOfTheCenters) {
+  const std::uint64_t seed = test::seedOr(1);
+  Random random(seed);
+  for (int round = 0; round < 20; ++round) {
+    Circles circles;
+    for (int k = 0; k < 30; ++k) circles.push_back({random.uniform(-9, 9), random.uniform(-9, 9), 1.5});
+    const Diagram power = compute(circles, {.metric = Metric::power}).value();
+    const Diagram centers = compute(circles, {.metric = Metric::centers}).value();
+    for (std::int32_t i = 0; i < 30; ++i) {
+      EXPECT_NEAR(area(outlineWithin(power, i, 2)), area(outlineWithin(centers, i, 2.5)), 1e-12) << "seed " << seed;
+      EXPECT_NEAR(area(outlineWithin(power, i, -0.9)), area(outlineWithin(centers, i, 1.2)), 1e-12) << "seed " << seed;
+    }
+  }
+}
+
+// Weights may be smaller than their roots, or negative.
+TEST(MaxDistance, TheBoxHasRoomForTheDiscsOfAPowerDiagram) {
+  const Circles circles = {{0, 0, -9}, {20, 0, 0.25}};
+  const Diagram diagram = compute(circles, {.metric = Metric::power, .weights = true}).value();
+  for (const double d : {0.0, 5.0, 9.0}) {
+    const Box box = exportBox(diagram, d);
+    for (const Circle& disc : discsWithin(diagram, d)) {
+      EXPECT_LT(box.minX, disc.x - disc.r);
+      EXPECT_LT(box.minY, disc.y - disc.r);
+      EXPECT_GT(box.maxX, disc.x + disc.r);
+      EXPECT_GT(box.maxY, disc.y + disc.r);
+    }
+  }
+}
+
 TEST(MaxDistance, FilesHaveTheCutCells) {
   const Circles circles = generate(Family::intersecting, 60, 2);
   const Diagram diagram = diagramOf(circles);

@@ -142,12 +142,16 @@ describe('files that people bring', () => {
     expect(regions.region(shape, { dissolve: true }).area).toBe(100)
   })
 
-  it('bubbles.csv: power cells cut by their circles are refused with a reason', async () => {
-    expectCircles('bubbles.csv', [8, 10, 6, 20, 8, 4, 18, 20, 12])
+  it('bubbles.csv: power cells are cut by their circles, in files too', async () => {
+    const radii = [8, 10, 6, 20, 8, 4, 18, 20, 12]
+    expectCircles('bubbles.csv', radii)
     const { compute } = await loadMetrics({ library })
     const diagram = compute(circlesOfText(textOf('bubbles.csv')), { metric: 'power' })
-    const message = 'maximum distance of a power diagram, which has no distances.'
-    expect(() => files.writeDiagram(diagram, { format: 'geojson', maxDistance: 5 })).toThrow(message)
-    expect(() => diagram.cellPath(0, { maxDistance: 5 })).toThrow(message)
+    const areas = diagram.cellAreas({ maxDistance: 0 })
+    const { features } = JSON.parse(files.writeDiagram(diagram, { format: 'geojson', maxDistance: 0 }))
+    radii.forEach((r, i) => {
+      expect(areas[i]).toBeLessThan(Math.PI * r ** 2 * (1 + 1e-12))
+      expect(features[i].properties.area).toBeCloseTo(areas[i] as number, 8)
+    })
   })
 })

@@ -74,7 +74,7 @@ Point pointOf(const Diagram& diagram, const Box& box, std::uint8_t first, std::u
 
 /// A distance at which discs meet corners or vertices, touch each other, or are points; nothing for most choices.
 std::optional<double> distanceOf(const Diagram& diagram, const Region& region, std::uint8_t choice) {
-  if (choice == 0 || diagram.metric == Metric::power) return std::nullopt;
+  if (choice == 0) return std::nullopt;
   const std::size_t which = choice / 4;
   const Circle& c = diagram.circles[which % diagram.circles.size()];
   const Circle& d = diagram.circles[(which + 1) % diagram.circles.size()];

@@ -98,7 +98,7 @@ class Questions {
   void askBoxes() const {
     const Box box = exportBox(diagram_.circles);
     Answer("exportBox") << box.minX << box.minY << box.maxX << box.maxY;
-    const Box grown = exportBox(diagram_.circles, maxDistance_);
+    const Box grown = exportBox(diagram_, maxDistance_);
     Answer("exportBox of a distance") << grown.minX << grown.minY << grown.maxX << grown.maxY;
     const std::string warning = hiddenWarning(diagram_);
     Answer("hiddenWarning").list(std::vector<CircleIndex>(warning.begin(), warning.end()));

@@ -49,17 +49,22 @@ const inDoubles = ({ x, y }) => ({ x: toNumber(x), y: toNumber(y) })
  * of pieces. A piece has a `label` (the neighbor's index, 'bounds k' or 'arc') and a `length`. All lengths are divided
  * by `unit`, a power of two.
  */
-export function cellByBruteForce(circles, i, corners, maxDistance, metric, unit) {
+export function cellByBruteForce(circles, i, corners, maxDistance, metric, unit, weights = false) {
   const big = (x) => BigInt(Math.round((x / unit) * 2 ** 400)) << (BITS - 400n)
   const at = (k) => ({
     x: big(circles[k][0]),
     y: big(circles[k][1]),
-    r: metric === 'centers' ? 0n : big(circles[k][2]),
+    r: metric === 'circles' ? big(circles[k][2]) : 0n,
+    weight: metric !== 'power' ? 0n : weights ? big(circles[k][2] / unit) : mul(big(circles[k][2]), big(circles[k][2])),
   })
   const own = at(i)
   // Everything is seen from the circle's center.
   const polygon = corners.map(([x, y]) => ({ x: big(x) - own.x + E, y: big(y) - own.y + F }))
-  const radius = maxDistance === undefined ? undefined : own.r + big(maxDistance)
+  let radius
+  if (maxDistance !== undefined) {
+    const most = big(maxDistance)
+    radius = metric === 'power' ? root(own.weight + mul(most, abs(most))) : own.r + most
+  }
   const nothing = { area: 0, loops: [] }
   if (radius !== undefined && radius <= 0n) return nothing
   const others = []
@@ -68,8 +73,8 @@ export function cellByBruteForce(circles, i, corners, maxDistance, metric, unit)
     const c = at(j)
     const way = { x: c.x - own.x, y: c.y - own.y }
     const square = dot(way, way)
-    const s = metric === 'power' ? 0n : c.r - own.r
-    const weight = metric === 'power' ? mul(own.r, own.r) - mul(c.r, c.r) : 0n
+    const s = c.r - own.r
+    const weight = own.weight - c.weight
     const k = square - mul(s, s) + weight
     const isHiding = metric !== 'power' && k <= 0n
     if (isHiding && (s > 0n || (s === 0n && j < i))) return nothing

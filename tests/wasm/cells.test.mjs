@@ -35,11 +35,10 @@ function verticesOf(circles) {
 
 /** Returns a case with its bounds and diagram. */
 function prepared(made) {
-  const { circles, corners, isBox, metric } = made
+  const { circles, corners, isBox, maxDistance, metric, weights = false } = made
   const bounds = isBox ? [...corners[0], ...corners[2]] : ConvexPolygon.from(corners.map(([x, y]) => ({ x, y })))
-  const maxDistance = metric === 'power' ? undefined : made.maxDistance
   const polygon = ConvexPolygon.of(bounds)
-  return { ...made, polygon, options: { bounds, maxDistance }, diagram: compute(circles, { metric }) }
+  return { ...made, polygon, options: { bounds, maxDistance }, diagram: compute(circles, { metric, weights }) }
 }
 
 /** Returns a case of a family; `undefined` if it is no valid input. */
@@ -96,7 +95,7 @@ function assertSameParts({ diagram, polygon, options }, outlines, message) {
 
 /** Compares the cells of a case. Returns their number, without those that brute force cannot tell. */
 function compareCells(made, message) {
-  const { circles, corners, scale, metric, polygon, options, diagram } = made
+  const { circles, corners, scale, metric, polygon, options, diagram, weights } = made
   const size = Math.sqrt(polygon.area())
   const areas = diagram.cellAreas(options)
   const outlines = circles.map((_, i) => diagram.cellOutline(i, options))
@@ -112,7 +111,7 @@ function compareCells(made, message) {
       .cellOutline(i, exact)
       .map((loop) => loop.map((piece) => ({ label: labelOf(piece), length: lengthOf(piece.curve) / scale })))
     assertSameLoops(loops, clipped, size / scale, `${message}: cell ${i} and that of the exact clip`)
-    const right = cellByBruteForce(circles, i, corners, options.maxDistance, metric, scale)
+    const right = cellByBruteForce(circles, i, corners, options.maxDistance, metric, scale, weights)
     if (right === undefined) return
     count += 1
     const theirs = right.loops.map((loop) => loop.map((piece) => ({ ...piece, label: piece.label.split(' ')[0] })))
@@ -284,7 +283,7 @@ describe('a maximum distance', () => {
     let rings = 0
     for (let k = 0; rings < CELLS; k++) {
       const made = preparedCase(families[k % families.length], SEED * 1_000_003 + k)
-      if (made === undefined || made.metric === 'power') continue
+      if (made === undefined) continue
       const { circles, diagram, options, polygon } = made
       for (let i = 0; i < circles.length; i++) {
         // The polygon of several loops goes along the same segments there and back.

@@ -30,7 +30,7 @@ import {
   rationalBezier,
 } from '../../dist/lib/index.js'
 import { loadMetrics } from '../../dist/lib/metrics.js'
-import { exportBox } from '../../dist/lib/regions/export-box.js'
+import { exportBox, exportBoxOf } from '../../dist/lib/regions/export-box.js'
 import { curveLength } from '../../dist/lib/regions/measure.js'
 import { wholeLoop } from '../../dist/lib/regions/outline.js'
 
@@ -174,7 +174,7 @@ function answersOf(diagram, box, maxDistance) {
   const count = circles.length / 3
 
   say('exportBox', ...Object.values(exportBox(circles)))
-  say('exportBox of a distance', ...Object.values(exportBox(circles, maxDistance)))
+  say('exportBox of a distance', ...Object.values(exportBoxOf(diagram, maxDistance)))
   say('hiddenWarning', ...Array.from(hiddenWarning(diagram), (letter) => letter.charCodeAt(0)))
   const { nextSide, vertexSides, firstSide } = diagram
   assert.deepEqual(linkSides(diagram), { nextSide, vertexSides, firstSide })

@@ -97,11 +97,16 @@ describe('the same measures as the native program without limits, and the same b
 
 describe('the same bits as the native program, in a region', () => {
   const names = ['bronzefilter.csv', 'spruces.csv', 'waka.csv']
-  for (const name of names) {
-    it(`clipped: ${name}`, () => {
+  for (const [name, metric, share] of [
+    ...names.map((name) => [name, 'circles']),
+    ...names.flatMap((name) => ['circles', 'power'].map((metric) => [name, metric, 0.02])),
+  ]) {
+    it(`clipped: ${name}, ${metric}${share ? ', within a distance' : ''}`, () => {
       const file = `${ROOT}tests/fixtures/${name}`
-      const diagram = library.compute(nativeDiagram(file, {}).circles)
-      const { json, shape } = regionAround(exportBox(diagram.circles))
+      const diagram = compute(nativeDiagram(file, {}).circles, { metric })
+      const box = exportBox(diagram.circles)
+      const { json, shape } = regionAround(box)
+      const maxDistance = share && share * (box.maxX - box.minX)
       const regionFile = written('region.json', json)
       const tolerance = diagram.circles.length * 1e-6
       const options = [
@@ -113,15 +118,19 @@ describe('the same bits as the native program, in a region', () => {
         '40',
         '--format',
         'geojson',
+        '--metric',
+        metric,
+        ...(maxDistance ? ['--max-distance', String(maxDistance)] : []),
       ]
       const native = JSON.parse(printed('compute', file, ...options)).features
-      const polygons = Array.from(native, (_, i) => diagram.cellPolygon(i, { region: shape, tolerance }))
+      const limits = { region: shape, maxDistance }
+      const polygons = Array.from(native, (_, i) => diagram.cellPolygon(i, { ...limits, tolerance }))
       assert.deepStrictEqual(
         polygons.map(geometryOf),
         native.map(({ geometry }) => geometry),
       )
       const areas = native.map(({ properties }) => properties.area)
-      assert.deepStrictEqual([...diagram.cellAreas({ region: shape })], areas)
+      assert.deepStrictEqual([...diagram.cellAreas(limits)], areas)
       assert.ok(areas.filter((area) => area > 0).length > 10)
     })
   }

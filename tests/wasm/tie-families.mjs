@@ -233,10 +233,22 @@ export function makeCase(family, random, verticesOf) {
   const circles = [...new Map(all.map((circle) => [circle.slice(0, 2).join(), circle])).values()]
   const scale = maker.chance(0.1) ? 2 ** maker.whole(-40, 80) : 1
   const scaled = (list) => list.map((numbers) => numbers.map((x) => x * scale))
+  const metric = maker.one(['circles', 'circles', 'circles', 'centers', 'power'])
+  const made = { circles, maxDistance, weights: false }
+  if (metric === 'power' && maxDistance !== undefined && maker.chance(0.6)) {
+    // Weights whose discs are the circles that the family has grown.
+    made.weights = true
+    made.maxDistance = maker.whole(-4, 4)
+    made.circles = circles.map(([x, y, r]) => {
+      const reach = r + maxDistance
+      return [x, y, reach * Math.abs(reach) - made.maxDistance * Math.abs(made.maxDistance)]
+    })
+  }
   return {
-    circles: scaled(circles),
+    circles: scaled(made.circles).map(([x, y, r]) => [x, y, made.weights ? r * scale : r]),
     corners: scaled(corners),
-    maxDistance: maxDistance === undefined ? undefined : maxDistance * scale,
+    maxDistance: made.maxDistance === undefined ? undefined : made.maxDistance * scale,
+    weights: made.weights,
     scale,
     isBox:
       corners.length === 4 &&
@@ -244,6 +256,6 @@ export function makeCase(family, random, verticesOf) {
       corners[1][0] === corners[2][0] &&
       corners[2][1] === corners[3][1] &&
       corners[3][0] === corners[0][0],
-    metric: maker.one(['circles', 'circles', 'circles', 'centers', 'power']),
+    metric,
   }
 }

@@ -249,7 +249,6 @@ const OPTIONS: Readonly<Record<string, readonly Wrong[]>> = {
   bounds: option(5, null, 'x', {}, ...boxes, ...sides),
   region: option(5, [], {}, 'x', null),
   maxDistance: option('1', Number.NaN, Infinity, 2 ** 101, null),
-  anyDistance: option(1),
   ground: option('1', Number.NaN, Infinity, null),
   sphereRadius: option(0, -1, Number.NaN, Infinity, '1', null),
   tolerance: option(0, -1, Number.NaN, Infinity, '1', null),
@@ -343,7 +342,7 @@ const LIMITED: readonly (readonly [name: string, args: string, options: string])
 const ROWS: readonly Row[] = [
   row(diagram, 'exportBox', '', 'maxDistance'),
   ...LIMITED.map(([name, args, options]) => row(diagram, name, args, options)),
-  ...LIMITED.map(([name, args, options]) => row(power, name, args, options.replace(/maxDistance/, '$&:anyDistance'))),
+  ...LIMITED.map(([name, args, options]) => row(power, name, args, options)),
   row(diagram, 'cell', 'number', 'none'),
   row(diagram, 'renderCircles', '', 'context digits'),
   row(diagram, 'renderDual', '', 'context digits'),

@@ -115,6 +115,28 @@ describe('a maximum distance', () => {
     )
   })
 
+  it('shares out the union of the discs of a power diagram, in its default bounds', async () => {
+    const { compute } = await loadMetrics({ library })
+    fc.assert(
+      fc.property(anyCircles, unit, fc.boolean(), fc.boolean(), (circles, share, weights, isNegative) => {
+        const scale = scaleOf(circles)
+        const maxDistance = scale * share ** 2 * (isNegative ? -1 : 1)
+        // Weights of either sign.
+        const numbers = circles.map((number, k) => (weights && k % 3 === 2 ? number * scale * (share - 0.5) : number))
+        const diagram = compute(numbers, { metric: 'power', weights })
+        const discs = diagram.circles.map((number, k) => {
+          if (k % 3 < 2) return number
+          return Math.sqrt(Math.max((weights ? number : number ** 2) + maxDistance * Math.abs(maxDistance), 0))
+        })
+        const box = diagram.exportBox({ maxDistance })
+        const sum = diagram.cellAreas({ maxDistance }).reduce((partial, part) => partial + part, 0)
+        const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
+        expect(Math.abs(sum - unionArea(discs, 0, grown(box, size)))).toBeLessThan(1e-3 * size * size)
+      }),
+      { numRuns: 60 },
+    )
+  })
+
   it('is that from the centers in the diagram of the centers', async () => {
     const { compute } = await loadMetrics({ library })
     const circles = [

@@ -297,7 +297,7 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       if (tolerance !== undefined) checkTolerance(tolerance)
       const sides = bounds === undefined ? undefined : sidesOf(bounds)
       const arrays = judgedArrays(diagram)
-      checkMaxDistance(diagram, 'writeDiagram', maxDistance)
+      checkMaxDistance(maxDistance)
       const { metric, stats } = diagram
       const data = { metric, ...arrays, stats: statsOf(stats) }
       const attributes = linesOf(options.attributes, arrays.circles.length / 3)

@@ -58,11 +58,16 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 /// + maxDistance around its center. The parts of all cells do not overlap. Together they cover the union of all circles
 /// grown by that distance. If the distance is negative, they cover the points at least that deep inside the circles.
 ///
-/// The outline has at most one loop: cell and disc are both star-shaped around the center (finder.h), so their
-/// intersection has one component and no holes. It has at most one arc of each side, because the distance grows from
-/// the apex of the side to both ends.
+/// For Metric::power the distance of a point is the signed root of its power, as for Vertex::r: outside of the circle
+/// the length of the tangents from the point to the circle. So the squared radius of the cutting circle is the weight
+/// plus maxDistance^2, or minus it for a negative distance, as in weighted alpha complexes (H. Edelsbrunner, "The union
+/// of balls and its dual shape", 1995).
 ///
-/// Precondition: maxDistance is finite and at most kRegionLimit in absolute value, and the metric is not the power.
+/// The outline has at most one loop: cell and disc are both star-shaped around the center (finder.h), or both convex
+/// for Metric::power, so their intersection has one component and no holes. It has at most one arc of each side,
+/// because the distance grows from the apex of the side to both ends.
+///
+/// Precondition: maxDistance is finite and at most kRegionLimit in absolute value.
 [[nodiscard]] CIRCLE_VORONOI_API Outline outlineWithin(const Diagram& diagram, CircleIndex circle, double maxDistance);
 /// Returns the enclosed area, exact up to rounding: a polygon, plus the segments between arcs and their chords, whose
 /// closed forms need no functions but square roots.

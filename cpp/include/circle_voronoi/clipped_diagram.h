@@ -76,9 +76,8 @@ class CIRCLE_VORONOI_API ClippedDiagram {
   /// Clips a certified diagram to a region. Cells are also cut at `maxDistance` from their circle, if that is given
   /// (outlineWithin). The diagram and the region must outlive the result.
   /// Errors: badInput if the arrays of the diagram do not fit together (checked in linear time, so that nothing outside
-  /// them is read); badOption if `maxDistance` is not finite, exceeds kRegionLimit, or is given for Metric::power;
-  /// notCertified if the judge finds a fault, as for a diagram that is not certified; tooManyCircles if memory runs
-  /// out; internal.
+  /// them is read); badOption if `maxDistance` is not finite or exceeds kRegionLimit; notCertified if the judge finds a
+  /// fault, as for a diagram that is not certified; tooManyCircles if memory runs out; internal.
   static Result<ClippedDiagram> from(const Diagram& diagram, const Region& region,
                                      std::optional<double> maxDistance = {});
   static Result<ClippedDiagram> from(const Diagram&& diagram, const Region& region,

@@ -56,6 +56,9 @@ struct ExportOptions {
 /// Returns the box to which cells, edges and polygons are clipped if neither bounds nor a region are given: the default
 /// of ExportOptions::bounds without digits. It is the same box in JavaScript, in Python and in the program.
 [[nodiscard]] CIRCLE_VORONOI_API Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
+/// Returns this box for the circles of a diagram. For Metric::power and a maximum distance there is room for the discs
+/// in which cells are kept (outlineWithin).
+[[nodiscard]] CIRCLE_VORONOI_API Box exportBox(const Diagram& diagram, std::optional<double> maxDistance = {});
 
 // The functions below write a certified diagram to a stream. The polygons of cells are counter-clockwise and do not
 // cross themselves. Polygons of neighbors share their points bit for bit. A cell that is narrower than the rounding of

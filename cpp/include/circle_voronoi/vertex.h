@@ -7,7 +7,7 @@ namespace circle_voronoi {
 
 /// A Voronoi vertex (branch point): the center and the radius of the disc that touches its three circles from outside.
 /// The center lies at distance r_i + r from the center of each circle i. The radius is negative where the three circles
-/// overlap.
+/// overlap. For Metric::power the radius is the signed root of the power of the center.
 struct Vertex {
   double x = 0;
   double y = 0;

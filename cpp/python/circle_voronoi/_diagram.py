@@ -257,7 +257,8 @@ class Diagram:
         region : optional
             Clip the cells to this region: see `Region`.
         max_distance : float, optional
-            Cut each cell at this distance from its circle.
+            Cut each cell at this distance from its circle: at this length of the tangents to the circle, the root of
+            the power, in a power diagram.
 
         Returns
         -------

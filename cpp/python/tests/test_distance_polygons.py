@@ -6,7 +6,8 @@ import os
 import random
 
 import pytest
-from shapely.geometry import Polygon
+from shapely.geometry import Point, Polygon
+from shapely.ops import unary_union
 from shapely.validation import explain_validity
 
 import circle_voronoi as cv
@@ -42,21 +43,22 @@ def hole(rng, center, radius):
     return star(rng, at(1), 0.02 * radius, 0.3 * radius, rng.randint(3, 6))
 
 
+@pytest.mark.parametrize("metric", ["circles", "power"])
 @pytest.mark.parametrize("seed", range(SEED, SEED + 40))
-def test_polygons_within_a_distance_are_valid(seed):
+def test_polygons_within_a_distance_are_valid(seed, metric):
     rng = random.Random(seed)
     circles = [
         (rng.randint(-40, 40), rng.randint(-40, 40), rng.randint(0, 9)) for _ in range(rng.randint(1, 4))
     ]
     distance = rng.choice([5, 10, 13, 17, 20, 25, 30])
-    radius = circles[0][2] + distance
+    radius = circles[0][2] + distance if metric == "circles" else math.hypot(circles[0][2], distance)
     outer = rng.choice([[(-100, -100), (100, -100), (100, 100), (-100, 100)], star(rng, (0, 0), 30, 100, 7)])
     holes = [hole(rng, circles[0][:2], radius) for _ in range(rng.randint(0, 3))]
     region = Polygon(outer, holes)
     while not region.is_valid:
         holes.pop()
         region = Polygon(outer, holes)
-    diagram = cv.compute(circles)
+    diagram = cv.compute(circles, metric=metric)
     areas = diagram.areas(region=region, max_distance=distance)
     for tolerance in (1e-6 * radius, 10 ** rng.uniform(-5, 3) * radius):
         cells = diagram.polygons(region=region, max_distance=distance, tolerance=tolerance)
@@ -68,6 +70,21 @@ def test_polygons_within_a_distance_are_valid(seed):
             assert abs(cell.area - areas[i]) <= (tolerance + 1e-9) * cell.length + 1e-9
             for other in cells[:i]:
                 assert other is None or other.intersection(cell).area < 1e-9
+
+
+@pytest.mark.parametrize("seed", range(SEED, SEED + 20))
+def test_cells_of_a_power_diagram_are_the_union_of_their_discs(seed):
+    rng = random.Random(seed)
+    circles = [(rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(-20, 20)) for _ in range(12)]
+    diagram = cv.compute(circles, metric="power", weights=True)
+    for distance in (-3, 0, 2, 5):
+        radii = [math.sqrt(max(weight + distance * abs(distance), 0)) for _, _, weight in circles]
+        union = unary_union([Point(x, y).buffer(r, 512) for (x, y, _), r in zip(circles, radii) if r > 0])
+        areas = diagram.areas(max_distance=distance)
+        assert areas.sum() == pytest.approx(union.area, rel=1e-5), f"seed {seed}"
+        for i, cell in enumerate(diagram.polygons(max_distance=distance, tolerance=1e-5)):
+            assert (cell.area if cell else 0) == pytest.approx(areas[i], abs=1e-3)
+            assert cell is None or Point(circles[i][:2]).buffer(radii[i] + 1e-4, 512).contains(cell)
 
 
 def test_a_disc_that_collapses_in_coordinates_is_empty():

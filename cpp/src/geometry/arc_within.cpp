@@ -36,12 +36,12 @@ std::optional<ArcWithin> arcWithin(const DistanceSigns& signs, const Edge& edge,
   ArcWithin arc = {curve, first.sign > 0, last.sign > 0};
   if (!arc.isCutFrom && !arc.isCutTo) return arc;
   if (arc.isCutFrom && arc.isCutTo) {
-    const bool hasApex = signs.hasApex(edge.left, edge.right) && pastApexOf(signs, edge, start, -1).sign < 0 &&
-                         pastApexOf(signs, edge, end, 1).sign > 0;
+    const bool hasApex = signs.meetsRim(edge.left, RimLine::ofEdge(edge.right)) &&
+                         pastApexOf(signs, edge, start, -1).sign < 0 && pastApexOf(signs, edge, end, 1).sign > 0;
     if (!hasApex) return std::nullopt;
   }
   const Bisector& bisector = curve.bisector;
-  const double reach = std::min(signs.radius(edge.left), signs.radius(edge.right));
+  const double reach = signs.radius(bisector.origin == bisector.left ? edge.left : edge.right);
   const double apex = std::abs(bisector.apex);
   const bool isNearApex = !(reach - apex > kNearApex * reach);
   const double most = parameterAtDistance(bisector, std::max(reach, apex));

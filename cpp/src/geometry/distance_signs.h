@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 #include "shift_polynomial.h"
@@ -41,7 +44,9 @@ struct RimPoint {
 };
 
 /// The signs that decide how cells are cut at a distance from their circles. The *disc* of a cell is the disc around
-/// its center with the radius r + distance, an exact sum. Its circle is the *rim*.
+/// its center with the radius r + distance, an exact sum. For the metric `power` its squared radius is the weight plus
+/// the square of the distance, minus it for a negative distance. The circle of the disc is the *rim*. Both rims of an
+/// edge meet its bisector in the same points.
 ///
 /// Signs that involve a region belong to one region that is moved by a tiny shift (shift_polynomial.h), as those where
 /// its sides meet the edges (shifted_signs.h). So no corner lies on a rim, no side touches one, and no side passes
@@ -53,29 +58,29 @@ struct RimPoint {
 /// the region that is not moved, the sign is a tie.
 ///
 /// Laws (laws_test.cpp):
-///   hasApex(i, j) == hasApex(j, i).
+///   meetsRim(i, ofEdge(j)) == meetsRim(j, ofEdge(i)).
 ///   pastApex(i, j, v) and pastApex(j, i, v) have opposite signs, unless it is a tie.
 ///   pastFoot(i, p, q, r) and pastFoot(i, q, p, r) have opposite signs.
-///   meetsDisc(i, p, q) == meetsDisc(i, q, p).
+///   meetsRim(i, ofSide(p, q)) == meetsRim(i, ofSide(q, p)).
 ///   isBefore is a strict order of the points of a rim.
 class DistanceSigns {
  public:
-  /// The metric is not the power. The distance is rounded as the circles were (limits.h).
+  /// The distance is rounded as the circles were (limits.h).
   DistanceSigns(const Diagram& diagram, double maxDistance);
 
   /// Returns a circle of the diagram, without its radius if the metric takes no account of it.
   Circle circle(CircleIndex i) const;
   /// Returns the radius of the disc of a cell in doubles.
-  double radius(CircleIndex cell) const { return circle(cell).r + distance_; }
+  double radius(CircleIndex cell) const;
   /// Returns whether the disc of a cell has a positive radius.
   bool hasDisc(CircleIndex cell) const;
+  /// Returns whether a cell contains the center of its circle. Only cells of the metric `power` may not.
+  bool hasCenter(CircleIndex cell) const;
 
   // 1 beyond the distance, -1 within it.
   ShiftedSign beyond(VertexIndex vertex) const;
   ShiftedSign beyond(const SideCrossing& crossing) const;
   ShiftedSign beyond(CircleIndex cell, Point corner) const;
-  /// Returns whether the apex of the bisector of two circles is nearer than the distance.
-  bool hasApex(CircleIndex left, CircleIndex right) const;
 
   // 1 if a place on an edge comes after the apex of its bisector, in the direction with `left` on the left.
   ShiftedSign pastApex(CircleIndex left, CircleIndex right, VertexIndex vertex) const;
@@ -85,8 +90,9 @@ class DistanceSigns {
   ShiftedSign pastFoot(CircleIndex cell, Point from, Point to, Point corner) const;
   ShiftedSign pastFoot(CircleIndex cell, const SideCrossing& crossing) const;
 
-  /// Returns whether the line of a side meets the disc of a cell.
-  bool meetsDisc(CircleIndex cell, Point from, Point to) const;
+  /// Returns whether a line meets the rim of a cell in two points. The line of an edge does if the apex of its bisector
+  /// is nearer than the distance.
+  bool meetsRim(CircleIndex cell, const RimLine& line) const;
 
   /// Returns a point where a line meets the rim of a cell, which it does.
   RimPoint rimPoint(CircleIndex cell, const RimLine& line, bool isAhead) const;
@@ -97,7 +103,31 @@ class DistanceSigns {
   bool isUpper(CircleIndex cell, const RimPoint& p) const;
 
  private:
-  Circle reachOf(const Circle& own) const { return {own.x, own.y, -distance_}; }
+  /// The center of a circle, or a place.
+  struct Site {
+    Point p;
+    CircleIndex circle = {};  ///< kNone for a place
+  };
+  Site siteOf(CircleIndex i) const;
+  std::array<Site, 2> sitesOf(const RimLine& line) const;
+  struct ExactDisc;
+  ExactDisc exactDisc(CircleIndex cell, std::span<const Site> sites) const;
+  ExactDisc straightDisc(CircleIndex cell, std::span<const Site> sites) const;
+  template <class Formula>
+  auto seenFromStraight(CircleIndex cell, std::span<const Site> sites, Formula formula) const;
+  template <class Formula>
+  auto seenFromDisc(CircleIndex cell, std::span<const Site> sites, Formula formula) const;
+  template <class Formula>
+  ShiftedSign shiftedSign(CircleIndex cell, std::span<const Site> sites, Formula formula) const;
+
+  /// A line as seen from the center of a disc.
+  struct SeenLine {
+    Vector along;       ///< of length 1
+    double height = 0;  ///< how far the line lies to the left of the center
+    double error = 0;   ///< a bound on the errors of the height and of the radius
+  };
+  SeenLine seenLine(CircleIndex cell, const RimLine& line) const;
+  double radiusSize(CircleIndex cell) const;
   ShiftedSign leftOf(CircleIndex cell, const RimPoint& p, const RimLine& line) const;
   int aheadOn(CircleIndex cell, const RimPoint& p, const RimLine& line) const;
   double halfChord(CircleIndex cell, const RimLine& line) const;

@@ -20,7 +20,7 @@ Outline outlineWithin(const Diagram& diagram, CircleIndex circle, double maxDist
     addArcWithin(loops, signs, diagram, side, curve, {edge.start}, {edge.end});
   }
   if (!sides.empty()) loops.endLoop();
-  return loops.finish(!loops.hasLoops()).outline;
+  return loops.finish(loops.isRimClear() && !loops.hasLoops() && signs.hasCenter(circle)).outline;
 }
 
 }  // namespace circle_voronoi

@@ -27,8 +27,9 @@ int signOfRoot(int norm, const P& p, const Q& q) {
 ///
 /// With x the vector from the middle of the centers and D that between them, the branches of the hyperbola are where
 /// 4 (x . D)^2 - 4 s^2 x . x = s^2 (D . D - s^2), and the left side is the larger one on the inner side of each branch.
-template <class View, class SeenCircle, class Lambda, class Mu>
-int signAtCrossing(View view, const SeenCircle& other, const SeenCircle& from, const SeenCircle& to,
+/// If s is 0, the bisector is the line 2 x . D + `lift` = 0.
+template <class View, class SeenCircle, class Lift, class Lambda, class Mu>
+int signAtCrossing(View view, const SeenCircle& other, const Lift& lift, const SeenCircle& from, const SeenCircle& to,
                    const Lambda& lambda, const Mu& mu) {
   const auto d = view.fixed(other.v);
   const auto start = view.moved(from.v);
@@ -39,7 +40,7 @@ int signAtCrossing(View view, const SeenCircle& other, const SeenCircle& from, c
   const auto height = dot(toMiddle, d);
   if (s.sign() == 0) {
     const auto way = twice(along);
-    return (lambda * way + mu * height).sign() * way.sign();
+    return (lambda * way + mu * (height - view.number(lift))).sign() * way.sign();
   }
   const auto ss = s * s;
   const auto a = twice(twice(along * along - ss * dot(direction, direction)));

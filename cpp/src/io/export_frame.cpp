@@ -25,7 +25,7 @@ double toleranceOf(const Box& box, const ExportOptions& options) {
 
 Box boxOf(const Diagram& diagram, const ExportOptions& options) {
   if (options.region != nullptr) return options.region->bounds();
-  return options.bounds ? *options.bounds : exportBox(diagram.circles, options.maxDistance);
+  return options.bounds ? *options.bounds : exportBox(diagram, options.maxDistance);
 }
 
 DecimalGrid gridOf(const Diagram& diagram, const ExportOptions& options) {
@@ -58,6 +58,15 @@ Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance
   // Large enough not to be lost in rounding.
   const double margin = std::max(sizeOf(box) > 0 ? kMargin * sizeOf(box) : 1, kLeastMargin * farthest);
   return {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
+}
+
+Box exportBox(const Diagram& diagram, std::optional<double> maxDistance) {
+  if (diagram.metric != Metric::power || !maxDistance) return exportBox(diagram.circles, maxDistance);
+  std::vector<Circle> discs = diagram.circles;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    discs[i].r = std::max(discs[i].r, reachFrom(diagram, static_cast<std::int32_t>(i), *maxDistance));
+  }
+  return exportBox(discs);
 }
 
 Result<Region> exportRegion(const Diagram& diagram, const ExportOptions& options) {

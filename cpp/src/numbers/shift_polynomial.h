@@ -152,14 +152,4 @@ struct ShiftedSign {
   bool isTie = false;
 };
 
-/// Returns the sign of a formula of circles as seen from circle o. `formula` takes AsGiven or AsMoved, and the circles.
-template <std::size_t kCount, class Formula>
-ShiftedSign shiftedSign(const Circle& o, const std::array<const Circle*, kCount>& circles, Formula formula) {
-  return exact::seenFrom(o, circles, [&](const auto& seen, int) -> ShiftedSign {
-    const int sign = formula(AsGiven(), seen);
-    if (sign != 0) return {sign, false};
-    return {formula(AsMoved(), seen), true};
-  });
-}
-
 }  // namespace circle_voronoi

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 
 #include "circle_voronoi/point.h"
 #include "common_unit.h"
@@ -15,7 +16,9 @@ namespace circle_voronoi {
 /// or multiples of 2^-192 up to 2^192 (limits.h).
 class WeightedNumbers {
  public:
-  WeightedNumbers(std::initializer_list<Point> points, std::initializer_list<TwoPart> weights) {
+  WeightedNumbers(std::initializer_list<Point> points, std::initializer_list<TwoPart> weights)
+      : WeightedNumbers(std::span(points.begin(), points.size()), std::span(weights.begin(), weights.size())) {}
+  WeightedNumbers(std::span<const Point> points, std::span<const TwoPart> weights) {
     CommonUnit unit;
     for (const Point p : points) {
       unit.include(p.x);

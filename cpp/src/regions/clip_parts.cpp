@@ -277,8 +277,7 @@ std::vector<std::vector<std::int32_t>> ClipParts::holesIn(CircleIndex circle, co
   return result;
 }
 
-/// Returns a point of a cell from which all of it is seen. For Metric::power, whose centers may lie outside, it is the
-/// mean of points of the cell, which is convex.
+/// For Metric::power, whose centers may lie outside, it is the mean of points of the cell, which is convex.
 Point ClipParts::middleOf(CircleIndex circle, const Outline& loops) const {
   const Circle& c = diagram.circles[at(circle)];
   if (diagram.metric != Metric::power) return {c.x, c.y};

@@ -75,6 +75,8 @@ class CIRCLE_VORONOI_API ClipParts {
   EdgeCurve curveOf(const LoopPiece& piece) const;
 
   std::vector<OutlinePiece> piecesOf(std::span<const LoopPiece> loop) const;
+  /// Returns a point of a cell from which all of it is seen, given some of its loops, which are not empty.
+  Point middleOf(CircleIndex circle, const Outline& loops) const;
 
   /// A stretch of the boundary in one cell: from a crossing to the next one of its ring.
   struct Stretch {
@@ -124,7 +126,6 @@ class CIRCLE_VORONOI_API ClipParts {
   std::vector<std::vector<std::int32_t>> holesIn(CircleIndex circle, const Loops& loops,
                                                  const std::vector<std::int32_t>& polygons,
                                                  const std::vector<std::int32_t>& holes) const;
-  Point middleOf(CircleIndex circle, const Outline& loops) const;
   void judgePartsWithin() const;
 
   std::vector<InCell> into_;

@@ -122,9 +122,6 @@ Result<ClippedDiagram> ClipParts::clip(const Diagram& diagram, const Region& reg
                                        std::optional<std::span<const CircleIndex>> circles, const VisitArc& visit) {
   return guarded([&]() -> Result<ClippedDiagram> {
     if (auto checked = checkMaxDistance(maxDistance); !checked) return checked.error();
-    if (maxDistance && diagram.metric == Metric::power) {
-      return errorWith(ErrorCode::badOption, "A power diagram has no maximum distance.");
-    }
     const auto isMissing = [&](CircleIndex i) { return i < 0 || at(i) >= diagram.circles.size(); };
     if (circles && std::ranges::any_of(*circles, isMissing)) {
       return errorWith(ErrorCode::badInput, "A cell to clip is none of the diagram.");

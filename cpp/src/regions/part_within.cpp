@@ -137,8 +137,8 @@ class LoopCutter {
     const bool isCutFrom = first.sign > 0;
     const bool isCutTo = last.sign > 0;
     if (isCutFrom && isCutTo) {
-      const bool meets =
-          signs_.meetsDisc(cell_, from, to) && pastFoot(step, from, to).sign < 0 && pastFoot(next, from, to).sign > 0;
+      const bool meets = signs_.meetsRim(cell_, RimLine::ofSide(from, to)) && pastFoot(step, from, to).sign < 0 &&
+                         pastFoot(next, from, to).sign > 0;
       if (!meets) return;
     }
     Point start = pointOf(step);
@@ -170,9 +170,11 @@ class LoopCutter {
 
   /// Whether the rim, which no loop meets, lies in the cell and the region.
   bool isRimInside() const {
-    // A ray from the center leaves the cell once, so the rim lies beyond an edge in the disc.
+    // A part of the rim lies beyond an edge in the disc: a ray from the center leaves a star-shaped cell once, and the
+    // line of a straight edge divides the disc.
     if (hasEdgeInside_) return false;
     if (ringsInside_.empty()) {
+      if (!signs_.hasCenter(cell_)) return false;
       const Circle c = signs_.circle(cell_);
       return parts_.placeOf(cell_) == ClipParts::Place::inside || parts_.region.contains({c.x, c.y});
     }
@@ -248,8 +250,7 @@ std::optional<ArcWithin> arcWithin(const ClipParts& parts, const Arc& arc) {
 LoopsWithin loopsWithin(const ClipParts& parts, CircleIndex circle, const Loops& loops) {
   if (loops.isHole.empty()) return {};
   LoopsWithin result = LoopCutter(parts, circle).run(loops);
-  const Circle& c = parts.diagram.circles[at(circle)];
-  putHolesIntoLoops(result, {c.x, c.y});
+  putHolesIntoLoops(result, parts.middleOf(circle, result.outline));
   return result;
 }
 

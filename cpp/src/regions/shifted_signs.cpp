@@ -462,8 +462,8 @@ int ShiftedSigns::sideOfCrossing(CircleIndex left, CircleIndex right, const Line
     const Circle otherTo = circleAt(other.to, c);
     sign = seenFrom(c, std::array<const Circle*, 5>{&d, &from, &to, &otherFrom, &otherTo}, [](const auto& seen, int) {
       const auto direction = seen[4].v - seen[3].v;
-      return signAtCrossing(AsGiven(), seen[0], seen[1], seen[2], planeCross(direction, seen[1].v - seen[3].v),
-                            planeCross(direction, seen[2].v - seen[1].v));
+      return signAtCrossing(AsGiven(), seen[0], decltype(seen[0].g)(), seen[1], seen[2],
+                            planeCross(direction, seen[1].v - seen[3].v), planeCross(direction, seen[2].v - seen[1].v));
     });
   } else {
     const WeightedNumbers numbers({line.from, line.to, other.from, other.to, centerPointOf(c), centerPointOf(d)},
@@ -530,7 +530,8 @@ int ShiftedSigns::turnFromRay(CircleIndex own, Point through, CircleIndex from, 
         auto ray = seen[3].v - seen[4].v;
         if (ray.x.sign() == 0 && ray.y.sign() == 0) ray.x = decltype(ray.x)(1);
         const auto whole = planeCross(ray, seen[2].v - seen[1].v);
-        return signAtCrossing(AsGiven(), seen[0], seen[1], seen[2], planeCross(ray, seen[1].v - seen[4].v), whole) *
+        return signAtCrossing(AsGiven(), seen[0], decltype(seen[0].g)(), seen[1], seen[2],
+                              planeCross(ray, seen[1].v - seen[4].v), whole) *
                whole.sign();
       });
   return ahead == 0 ? 0 : ahead > 0 ? second : first;

@@ -187,19 +187,11 @@ export function checkMetric(
 }
 
 /** @throws CircleVoronoiError `badOption`, if `distance` is given and is not a number, or exceeds `REGION_LIMIT` */
-export function checkDistance(distance: unknown): void {
+export function checkMaxDistance(distance: unknown): void {
   if (distance === undefined) return
   if (typeof distance !== 'number' || !(Math.abs(distance) <= REGION_LIMIT)) {
     refuseOption(`The maximum distance is a number up to ${REGION_LIMIT_TEXT}, not ${shown(distance)}.`)
   }
-}
-
-/** @throws CircleVoronoiError `badOption`, if `distance` is invalid or the metric of the diagram has no distances */
-export function checkMaxDistance({ metric }: DiagramData, caller: string, distance: unknown): void {
-  if (distance === undefined) return
-  checkDistance(distance)
-  if (metric === 'power')
-    refuseOption(`${caller} takes no maximum distance of a power diagram, which has no distances.`)
 }
 
 /** @throws CircleVoronoiError `badOption`, if `tolerance` is not finite and above 0 */

@@ -8,14 +8,14 @@ interface TwoPart {
 }
 
 /** Returns a + b exactly. */
-function sum(a: number, b: number): TwoPart {
+export function sum(a: number, b: number): TwoPart {
   const value = a + b
   const part = value - a
   return { value, rest: a - (value - part) + (b - part) }
 }
 
 /** Returns a^2 exactly, except for underflow. */
-function square(a: number): TwoPart {
+export function square(a: number): TwoPart {
   const value = a * a
   const shifted = 134217729 * a
   const high = shifted - (shifted - a)

@@ -45,7 +45,7 @@ import { cellRing, hullInRegion, hullRing, type Polygon } from '../drawing/polyg
 import type { Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
-import { exportBox } from '../regions/export-box.ts'
+import { exportBoxOf } from '../regions/export-box.ts'
 import { AreaJudge, areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
 import { keptParts, outlineOf, wholeLoop } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
@@ -227,7 +227,7 @@ export class Diagram implements DiagramData {
       return Int32Array.from(new Set(sides.map((side) => this.cells.neighborOf(side))))
     }
     if (options.bounds === undefined && options.maxDistance === undefined) return this.cells.neighbors(i)
-    const limits = this.#limitsOf('neighbors', options)
+    const limits = this.#limitsOf(options)
     const sides = this.cells.sides(i).filter((side) => keptParts(this, side >> 1, limits).length > 0)
     return Int32Array.from(new Set(sides.map((side) => this.cells.neighborOf(side))))
   }
@@ -282,7 +282,7 @@ export class Diagram implements DiagramData {
    */
   exportBox(options: Pick<BoundsOptions, 'maxDistance'> = {}): Box {
     checkDrawOptions(options, 'exportBox', ['maxDistance'])
-    return { ...this.#limitsOf('exportBox', options).bounds.box }
+    return { ...this.#limitsOf(options).bounds.box }
   }
 
   /** Draws the part of edge `e` inside the bounds. */
@@ -400,7 +400,7 @@ export class Diagram implements DiagramData {
     if (region !== undefined) {
       return multiPolygonOf(this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i)
     }
-    const limits = this.#limitsOf('cellPolygon', options)
+    const limits = this.#limitsOf(options)
     return cellRing(this.cells, i, limits, toleranceOf(options, limits.bounds))
   }
 
@@ -445,7 +445,7 @@ export class Diagram implements DiagramData {
   cellArea(i: number, options: BoundsOptions = {}): number {
     const measured = this.#measuredIn(i, 'cellArea', options)
     if (measured !== undefined) return at(measured.clip.areas, measured.row)
-    const limits = this.#limitsIn('cellArea', options)
+    const limits = this.#limitsIn(options)
     const area = sizeOf(this.#outlineIn(i, limits), areaOf)
     if (limits !== undefined) new AreaJudge(limits.bounds).add(area, circleOf(this.circles, i), i)
     return area
@@ -462,7 +462,7 @@ export class Diagram implements DiagramData {
       const x = at(clip.centroids, 2 * row)
       return Number.isNaN(x) ? undefined : { x, y: at(clip.centroids, 2 * row + 1) }
     }
-    return centroidInside(this.#outlineIn(i, this.#limitsIn('cellCentroid', options)))
+    return centroidInside(this.#outlineIn(i, this.#limitsIn(options)))
   }
 
   /**
@@ -472,7 +472,7 @@ export class Diagram implements DiagramData {
   cellPerimeter(i: number, options: BoundsOptions = {}): number {
     const measured = this.#measuredIn(i, 'cellPerimeter', options)
     if (measured !== undefined) return at(measured.clip.perimeters, measured.row)
-    return sizeOf(this.#outlineIn(i, this.#limitsIn('cellPerimeter', options)), perimeterOf)
+    return sizeOf(this.#outlineIn(i, this.#limitsIn(options)), perimeterOf)
   }
 
   /**
@@ -481,7 +481,7 @@ export class Diagram implements DiagramData {
    */
   cellAreas(options: BoundsOptions = {}): Float64Array {
     const areas = this.#ofEach('cellAreas', options, 'areas', (outline) => [sizeOf(outline, areaOf)])
-    const limits = options.region === undefined ? this.#limitsIn('cellAreas', options) : undefined
+    const limits = options.region === undefined ? this.#limitsIn(options) : undefined
     if (limits === undefined || this.hull.length === 0) return areas
     const judge = new AreaJudge(limits.bounds)
     areas.forEach((area, i) => {
@@ -506,9 +506,9 @@ export class Diagram implements DiagramData {
   }
 
   /** Returns the limits of measures, which have no default bounds; `undefined` if there are none. */
-  #limitsIn(caller: string, options: BoundsOptions): Limits | undefined {
+  #limitsIn(options: BoundsOptions): Limits | undefined {
     const isLimited = options.bounds !== undefined || options.maxDistance !== undefined
-    return isLimited ? this.#limitsOf(caller, options) : undefined
+    return isLimited ? this.#limitsOf(options) : undefined
   }
 
   /** Returns the outline of a cell inside limits; `undefined` if there are none and the cell is unbounded. */
@@ -524,7 +524,7 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, caller, BOUNDS_OPTIONS)
     const region = this.#regionIn(caller, options)
     if (region !== undefined) return clippedOutline(this, this.#cellIn(region, i, options))
-    return outlineOf(this.cells, i, this.#limitsOf(caller, options))
+    return outlineOf(this.cells, i, this.#limitsOf(options))
   }
 
   /** Returns the clip with the measures of cell `i`, and its row there, if the options have a region. */
@@ -544,7 +544,7 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, caller, BOUNDS_OPTIONS)
     const region = this.#regionIn(caller, options)
     if (region !== undefined) return this.#clippedTo(region, options)[measures]
-    const limits = this.#limitsIn(caller, options)
+    const limits = this.#limitsIn(options)
     this.#checkMemory()
     const count = this.circles.length / 3
     const size = measures === 'centroids' ? 2 : 1
@@ -562,7 +562,7 @@ export class Diagram implements DiagramData {
   ): string | undefined {
     checkDrawOptions(options, caller, DRAW_OPTIONS)
     const region = this.#regionIn(caller, options)
-    const limits = region ?? this.#limitsOf(caller, options)
+    const limits = region ?? this.#limitsOf(options)
     const tolerance = toleranceOf(options, limits instanceof Region ? limits : limits.bounds)
     const sink = sinkOf(options, tolerance)
     if (limits instanceof Region) drawIn(sink, limits, tolerance)
@@ -573,7 +573,7 @@ export class Diagram implements DiagramData {
   /** Returns the checked region of the options, if any. */
   #regionIn(caller: string, options: BoundsOptions): Region | undefined {
     const region = regionOption(options, caller)
-    if (region !== undefined) checkMaxDistance(this, caller, options.maxDistance)
+    if (region !== undefined) checkMaxDistance(options.maxDistance)
     return region
   }
 
@@ -613,9 +613,9 @@ export class Diagram implements DiagramData {
   }
 
   /** Returns the limits for the bounds and distance of the options, or the cached limits if nothing has changed. */
-  #limitsOf(caller: string, { bounds, maxDistance }: BoundsOptions): Limits {
+  #limitsOf({ bounds, maxDistance }: BoundsOptions): Limits {
     this.#checkMemory()
-    checkMaxDistance(this, caller, maxDistance)
+    checkMaxDistance(maxDistance)
     const last = this.#lastLimits
     let polygon: ConvexPolygon
     if (bounds === undefined) {
@@ -634,7 +634,7 @@ export class Diagram implements DiagramData {
     if (bounds === undefined) {
       // A slider passes many distances.
       if (this.#bounds.size === MOST_BOUNDS) this.#bounds.clear()
-      bounds = ConvexPolygon.of(exportBox(this.circles, maxDistance))
+      bounds = ConvexPolygon.of(exportBoxOf(this, maxDistance))
       this.#bounds.set(maxDistance, bounds)
     }
     return bounds

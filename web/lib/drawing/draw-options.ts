@@ -22,8 +22,9 @@ export interface BoundsOptions {
   /**
    * The distance from their circles at which cells and edges are cut. A cell is cut by the circle of radius r +
    * maxDistance around the same center, so all cells together are the union of the grown circles and do not overlap. A
-   * negative distance keeps the points that deep inside the circles. The default bounds have room for the grown
-   * circles. Default: no limit.
+   * negative distance keeps the points that deep inside the circles. In a power diagram the squared radius is the weight
+   * plus maxDistance squared, or minus it for a negative distance. The default bounds have room for the grown circles.
+   * Default: no limit.
    */
   readonly maxDistance?: number | undefined
 }

@@ -64,8 +64,8 @@ function weightOf({ circles, metric, weights }: DiagramData, circle: number): nu
   return weights ? r : r ** 2
 }
 
-/** The weight exactly, in units of the squared coordinate step. */
-function wholeWeightOf({ circles, metric, weights }: DiagramData, circle: number): bigint {
+/** Returns the weight exactly, in units of the squared coordinate step. */
+export function wholeWeightOf({ circles, metric, weights }: DiagramData, circle: number): bigint {
   if (metric !== 'power') return 0n
   const r = at(circles, 3 * circle + 2)
   return weights ? wholeSquareOf(r) : wholeOf(r) ** 2n
@@ -100,10 +100,12 @@ export class BisectorBorder implements BorderCurve {
   readonly y: number
   /** The neighbor's radius minus the circle's. */
   readonly s: number
+  /** The circle's weight minus that of the neighbor, for the metric `power`, and the size of both. */
+  readonly weight: number
+  readonly weightSize: number
   readonly #diagram: DiagramData
   readonly #circle: number
   readonly #neighbor: number
-  readonly #weight: number
   #whole: WholeNeighbor | undefined
 
   constructor(diagram: DiagramData, circle: number, neighbor: number) {
@@ -114,7 +116,8 @@ export class BisectorBorder implements BorderCurve {
     this.x = at(circles, 3 * neighbor) - at(circles, 3 * circle)
     this.y = at(circles, 3 * neighbor + 1) - at(circles, 3 * circle + 1)
     this.s = metric === 'circles' ? at(circles, 3 * neighbor + 2) - at(circles, 3 * circle + 2) : 0
-    this.#weight = weightOf(diagram, circle) - weightOf(diagram, neighbor)
+    this.weight = weightOf(diagram, circle) - weightOf(diagram, neighbor)
+    this.weightSize = Math.abs(weightOf(diagram, circle)) + Math.abs(weightOf(diagram, neighbor))
     this.isStraight = this.s === 0
     this.isCellInside = this.s > 0
   }
@@ -165,17 +168,13 @@ export class BisectorBorder implements BorderCurve {
   #straightSideOf(corner: ClipLine): number {
     const { x, y } = this
     const square = x * x + y * y
-    const value = square - 2 * (corner.x * x + corner.y * y) + this.#weight
-    const size = square + 2 * sizeOf(corner) * sizeOf(this) + this.#weightSize()
+    const value = square - 2 * (corner.x * x + corner.y * y) + this.weight
+    const size = square + 2 * sizeOf(corner) * sizeOf(this) + this.weightSize
     const sign = signBeyond(value, ROUNDING_OF_SIGNS * size)
     if (sign !== 0) return sign
     const { whole } = this
     const exact = wholeDot(whole, whole) - 2n * wholeDot(corner.wholeStart, whole) + whole.weight
     return signOf(exact) || -TIE * (signOf(whole.x) || signOf(whole.y))
-  }
-
-  #weightSize(): number {
-    return Math.abs(weightOf(this.#diagram, this.#circle)) + Math.abs(weightOf(this.#diagram, this.#neighbor))
   }
 
   // With D the way between the centers, s the difference of their radii and u the direction of the line, which has the
@@ -291,11 +290,12 @@ export class RimBorder implements BorderCurve {
   readonly isCellInside = true
   readonly direction: WholeVector
   readonly radius: number
-  readonly wholeRadius: bigint
+  /** The squared radius exactly, in units of the squared coordinate step. */
+  readonly wholeSquare: bigint
 
-  constructor(radius: number, wholeRadius: bigint, quarter: number) {
+  constructor(radius: number, wholeSquare: bigint, quarter: number) {
     this.radius = radius
-    this.wholeRadius = wholeRadius
+    this.wholeSquare = wholeSquare
     this.direction = AXES[quarter] as WholeVector
   }
 
@@ -306,7 +306,7 @@ export class RimBorder implements BorderCurve {
     if (sign !== 0) return sign
     const start = corner.wholeStart
     // The derivative along x, then the second one.
-    return signOf(this.wholeRadius * this.wholeRadius - wholeDot(start, start)) || -TIE * (signOf(start.x) || 1)
+    return signOf(this.wholeSquare - wholeDot(start, start)) || -TIE * (signOf(start.x) || 1)
   }
 
   bulgeBeyond(line: ClipLine): number {
@@ -322,7 +322,7 @@ export class RimBorder implements BorderCurve {
     const wu = line.wholeDirection
     const h = -wholeCross(wu, line.wholeStart)
     const center = signOf(h) || line.afterShift
-    const sign = signOf(this.wholeRadius * this.wholeRadius * wholeDot(wu, wu) - h * h)
+    const sign = signOf(this.wholeSquare * wholeDot(wu, wu) - h * h)
     return sign > 0 || (sign === 0 && line.afterShift !== center) ? -center : 0
   }
 
@@ -349,7 +349,7 @@ export class RimBorder implements BorderCurve {
     const start = line.wholeStart
     const a = wholeDot(u, u)
     const b = wholeDot(u, start)
-    const c = wholeDot(start, start) - this.wholeRadius * this.wholeRadius
+    const c = wholeDot(start, start) - this.wholeSquare
     return surd(-b, isExit ? 1n : -1n, b * b - a * c, a)
   }
 }

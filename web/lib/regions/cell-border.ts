@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
-import { compareSurds, signOfSum, wholeOf } from '../base/exact.ts'
+import { compareSurds, signOf, signOfSum, wholeOf } from '../base/exact.ts'
 import { cross, length } from '../base/point.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { parameterAtDistance, pointOf } from '../curves/bisector.ts'
 import { curveOf, type EdgeCurve } from '../curves/curve.ts'
-import { BisectorBorder, type BorderCurve, RimBorder, type WholeNeighbor, wholeNeighbor } from './border-curve.ts'
+import {
+  BisectorBorder,
+  type BorderCurve,
+  RimBorder,
+  type WholeNeighbor,
+  wholeNeighbor,
+  wholeWeightOf,
+} from './border-curve.ts'
 import { BorderEnd, type ExactPoint } from './border-end.ts'
 import { type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
+import { isSame } from './clip.ts'
+import { ClipLine } from './clip-line.ts'
 import { CutPoint } from './cut-point.ts'
 import { errorOfVertex } from './measure.ts'
 import { ROUNDING_OF_SIGNS, signBeyond } from './sign-filter.ts'
@@ -50,6 +59,17 @@ const AXES: readonly Vector[] = [
 ]
 
 const ORIGIN: Point = { x: 0, y: 0 }
+/** The error bound of the number of a vertex of a power diagram, as a share of it. */
+const ROUNDING_OF_POWERS = 2 ** -35
+
+/** The line of a bisector as seen from the center: u . x with the way u to the neighbor, and the chord of the circle. */
+interface Chord {
+  readonly along: number
+  readonly alongError: number
+  /** The squared length of the chord times u . u; negative if the line does not meet the circle. */
+  readonly rest: number
+  readonly restError: number
+}
 
 /**
  * The border of a cell within the maximum distance. Exact signs decide which ends of its sides are within: a vertex at
@@ -61,7 +81,9 @@ export class CellBorder {
   readonly #circle: number
   readonly #maxDistance: number | undefined
   readonly #radius: number
+  /** 0 for the metric `power`, where only the square is known exactly. */
   readonly #wholeRadius: bigint
+  readonly #wholeSquare: bigint
   readonly #ends = new Map<number, BorderEnd>()
 
   constructor(cells: Cells, circle: number, { maxDistance }: Limits) {
@@ -72,12 +94,19 @@ export class CellBorder {
     this.#circle = circle
     this.#maxDistance = maxDistance
     this.#radius = reachFrom(diagram, circle, maxDistance ?? 0)
-    this.#wholeRadius =
-      maxDistance === undefined ? 0n : wholeOf(maxDistance) + (diagram.metric === 'circles' ? wholeOf(r) : 0n)
+    const most = wholeOf(maxDistance ?? 0)
+    const isPower = diagram.metric === 'power'
+    this.#wholeRadius = isPower ? 0n : most + (diagram.metric === 'circles' ? wholeOf(r) : 0n)
+    this.#wholeSquare = isPower
+      ? wholeWeightOf(diagram, circle) + (most < 0n ? -most : most) * most
+      : this.#wholeRadius ** 2n
   }
 
-  /** Returns the pieces, in order. Where one does not start at the end of the one before it, infinity is between. */
-  pieces(): BorderPiece[] {
+  /**
+   * Returns the pieces, in order. Where one does not start at the end of the one before it, infinity is between. Returns
+   * `undefined` if nothing of the cell is within the maximum distance.
+   */
+  pieces(): BorderPiece[] | undefined {
     const parts: SidePiece[] = []
     for (const side of this.#cells.sides(this.#circle)) {
       const part = this.partOf(side)
@@ -86,6 +115,7 @@ export class CellBorder {
     if (this.#maxDistance === undefined) return parts
     const pieces: BorderPiece[] = []
     if (parts.length === 0) {
+      if (!this.#hasCenter()) return undefined
       const axis = this.#axisEnd(0)
       this.#addRim(pieces, axis, axis, 0, AXES.length - 1)
     }
@@ -112,7 +142,8 @@ export class CellBorder {
     const hasEnd = end !== undefined && this.#isWithin(target, end)
     if (hasStart && hasEnd) return whole
     // The distance grows from the apex to both sides.
-    if (!hasStart && !hasEnd && !(this.#hasApexBetween(line, start, end) && this.#isApexWithin(line))) return undefined
+    const isApexWithin = () => this.#isApexWithin(line, this.#cells.neighborOf(side))
+    if (!hasStart && !hasEnd && !(this.#hasApexBetween(line, start, end) && isApexWithin())) return undefined
     const cut = this.#cutCurve(forward, side, !hasStart, !hasEnd)
     const isBackward = side % 2 === 1
     return {
@@ -130,7 +161,7 @@ export class CellBorder {
     const { diagram } = this.#cells
     const { bisector } = whole
     const reachOf = (i: number) => reachFrom(diagram, i, this.#maxDistance as number)
-    const reach = Math.min(reachOf(this.#circle), reachOf(this.#cells.neighborOf(side)))
+    const reach = reachOf(this.#cells.circleOf(isSame(bisector.origin, bisector.left) ? side & ~1 : side | 1))
     const most = parameterAtDistance(bisector, Math.max(reach, Math.abs(bisector.apex)))
     const clamped = (s: number) => Math.min(Math.max(s, whole.from), whole.to)
     const cutAt = (s: number) => CutPoint.after(bisector.origin, pointOf({ ...bisector, origin: ORIGIN }, s))
@@ -163,12 +194,13 @@ export class CellBorder {
     const { diagram } = this.#cells
     const r = at(diagram.vertices, 3 * vertex + 2)
     const most = this.#maxDistance as number
-    const sign = signBeyond(most - r, end.error + ROUNDING_OF_SIGNS * (Math.abs(r) + Math.abs(most)))
+    const rounding = diagram.metric === 'power' ? ROUNDING_OF_POWERS : ROUNDING_OF_SIGNS
+    const sign = signBeyond(most - r, end.error + rounding * (Math.abs(r) + Math.abs(most)))
     if (sign !== 0) return sign > 0
     const { x, y, w, w1, rho } = end.exact
     const radius = this.#wholeRadius
     if (radius < 0n) return false
-    if (rho === undefined) return x * x + y * y <= radius * radius * w * w
+    if (rho === undefined) return x * x + y * y <= this.#wholeSquare * w * w
     return signOfSum(radius * w - rho, radius * w1, end.exact.d) >= 0
   }
 
@@ -183,19 +215,34 @@ export class CellBorder {
   }
 
   /**
-   * Returns an end where the circle cuts the bisector to a neighbor, counter-clockwise from the direction to the
-   * neighbor (turn 1) or clockwise from it (-1). With u the way to the neighbor, s the difference of the radii and R the
-   * radius of the circle, 2 u . x = u . u - s^2 - 2 R s.
+   * Returns how the line of a bisector lies to the circle. With u the way to the neighbor, s the difference of the radii,
+   * w that of the weights and R the radius of the circle, 2 u . x = u . u - s^2 - 2 R s + w.
    */
-  #cutEnd(line: BisectorBorder, point: Point, turn: number): BorderEnd {
-    const { x, y, s } = line
+  #chordOf({ x, y, s, weight, weightSize }: BisectorBorder): Chord {
     const radius = this.#radius
     const square = x * x + y * y
-    const along = square - s * s - 2 * radius * s
-    const alongError = ROUNDING_OF_SIGNS * (square + s * s + 2 * radius * Math.abs(s))
+    const along = square - s * s - 2 * radius * s + weight
+    const alongError = ROUNDING_OF_SIGNS * (square + s * s + 2 * Math.abs(radius * s) + weightSize)
     const rest = 4 * radius * radius * square - along * along
     const size = Math.abs(along) + alongError / ROUNDING_OF_SIGNS
     const restError = 8 * ROUNDING_OF_SIGNS * (4 * radius * radius * square + size * size)
+    return { along, alongError, rest, restError }
+  }
+
+  #wholeChordOf({ whole: u }: BisectorBorder): { square: bigint; along: bigint; rest: bigint } {
+    const square = u.x * u.x + u.y * u.y
+    const along = square - u.s * u.s - 2n * this.#wholeRadius * u.s + u.weight
+    return { square, along, rest: 4n * this.#wholeSquare * square - along * along }
+  }
+
+  /**
+   * Returns an end where the circle cuts the bisector to a neighbor, counter-clockwise from the direction to the
+   * neighbor (turn 1) or clockwise from it (-1).
+   */
+  #cutEnd(line: BisectorBorder, point: Point, turn: number): BorderEnd {
+    const { x, y } = line
+    const square = x * x + y * y
+    const { along, alongError, rest, restError } = this.#chordOf(line)
     const root = Math.sqrt(Math.max(rest, 0))
     const rootError = rest > restError ? restError / root : 2 * Math.sqrt(restError)
     const seen = {
@@ -204,19 +251,10 @@ export class CellBorder {
     }
     const error = (alongError + rootError) / Math.sqrt(square) + 4 * ROUNDING_OF_SIGNS * length(seen)
     return new BorderEnd(point, seen, error, () => {
-      const u = line.whole
-      const square = u.x * u.x + u.y * u.y
-      const along = square - u.s * u.s - 2n * this.#wholeRadius * u.s
+      const { x, y } = line.whole
+      const { square, along, rest } = this.#wholeChordOf(line)
       const sign = BigInt(turn)
-      return {
-        x: along * u.x,
-        x1: -sign * u.y,
-        y: along * u.y,
-        y1: sign * u.x,
-        w: 2n * square,
-        w1: 0n,
-        d: 4n * this.#wholeRadius * this.#wholeRadius * square - along * along,
-      }
+      return { x: along * x, x1: -sign * y, y: along * y, y1: sign * x, w: 2n * square, w1: 0n, d: rest }
     })
   }
 
@@ -228,28 +266,34 @@ export class CellBorder {
     return (start === undefined || turnTo(start) < 0) && (end === undefined || turnTo(end) > 0)
   }
 
-  /** Whether the two grown circles overlap. */
-  #isApexWithin(line: BisectorBorder): boolean {
-    const sum = 2 * this.#radius + line.s
-    const distance = length(line)
-    const sign = signBeyond(sum - distance, ROUNDING_OF_SIGNS * (2 * this.#radius + Math.abs(line.s) + distance))
-    if (sign !== 0) return sign > 0
-    const { x, y, s } = line.whole
-    const whole = 2n * this.#wholeRadius + s
-    return whole > 0n && whole * whole > x * x + y * y
+  /** Whether the apex of the bisector to a neighbor is within: whether both discs are not empty and overlap. */
+  #isApexWithin(line: BisectorBorder, neighbor: number): boolean {
+    if (!(this.#radius > 0 && reachFrom(this.#cells.diagram, neighbor, this.#maxDistance as number) > 0)) return false
+    const { rest, restError } = this.#chordOf(line)
+    return (signBeyond(rest, restError) || signOf(this.#wholeChordOf(line).rest)) > 0
+  }
+
+  /** Whether the cell contains the center of its circle. Only cells of the metric `power` may not. */
+  #hasCenter(): boolean {
+    const { diagram } = this.#cells
+    const { center } = this
+    const place = new ClipLine(0, center, center, center)
+    return [...this.#cells.neighbors(this.#circle)].every(
+      (neighbor) => new BisectorBorder(diagram, this.#circle, neighbor).sideOf(place) > 0,
+    )
   }
 
   #axisEnd(k: number): BorderEnd {
     const { x, y } = AXES[k % AXES.length] as Vector
     const seen = { x: this.#radius * x, y: this.#radius * y }
     return new BorderEnd(CutPoint.after(this.center, seen), seen, ROUNDING_OF_SIGNS * this.#radius, () => ({
-      x: this.#wholeRadius * BigInt(x),
-      x1: 0n,
-      y: this.#wholeRadius * BigInt(y),
-      y1: 0n,
+      x: 0n,
+      x1: BigInt(x),
+      y: 0n,
+      y1: BigInt(y),
       w: 1n,
       w1: 0n,
-      d: 0n,
+      d: this.#wholeSquare,
     }))
   }
 
@@ -267,7 +311,7 @@ export class CellBorder {
     for (let k = 0; k <= axes; k++) {
       const isLast = k === axes
       const next = isLast ? to : this.#axisEnd(quarter + k + 1)
-      const line = new RimBorder(this.#radius, this.#wholeRadius, (quarter + k) % AXES.length)
+      const line = new RimBorder(this.#radius, this.#wholeSquare, (quarter + k) % AXES.length)
       pieces.push({ line, from: last, to: next, side: NONE, forward: undefined })
       last = next
     }

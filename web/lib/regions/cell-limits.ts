@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { at } from '../base/diagram-data.ts'
+import { square, sum } from '../base/two-part.ts'
 import type { DiagramData } from '../base/types.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 
@@ -14,9 +15,18 @@ export interface Limits {
 const ERROR_OF_VERTICES = 2 ** -30
 const ROUNDING = 2 ** -45
 
-/** Returns the radius of the disc around a circle's center that the maximum distance keeps. It may be negative. */
-export function reachFrom({ circles, metric }: DiagramData, circle: number, maxDistance: number): number {
-  return (metric === 'circles' ? at(circles, 3 * circle + 2) : 0) + maxDistance
+/**
+ * Returns the radius of the disc around a circle's center that the maximum distance keeps. It may be negative. For the
+ * metric `power` it is the root of the weight plus the signed square of the distance, or 0 if that is negative.
+ */
+export function reachFrom({ circles, metric, weights }: DiagramData, circle: number, maxDistance: number): number {
+  const r = at(circles, 3 * circle + 2)
+  if (metric !== 'power') return (metric === 'circles' ? r : 0) + maxDistance
+  const weight = weights ? { value: r, rest: 0 } : square(r)
+  const own = square(maxDistance)
+  const sign = maxDistance < 0 ? -1 : 1
+  const { value, rest } = sum(weight.value, sign * own.value)
+  return Math.sqrt(Math.max(value + (rest + (weight.rest + sign * own.rest)), 0))
 }
 
 /** Returns an upper bound of the distance to points of a cell, and of all errors. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../base/diagram-data.ts'
-import type { Box } from '../base/types.ts'
+import type { Box, DiagramData } from '../base/types.ts'
+import { reachFrom } from './cell-limits.ts'
 
 const MARGIN = 0.05
 /** The smallest margin, relative to the farthest coordinate. */
@@ -31,6 +32,19 @@ export function exportBox(circles: Float64Array, maxDistance = 0): Box {
   // The minimum prevents rounding from losing the margin.
   const margin = Math.max(size > 0 ? MARGIN * size : 1, LEAST_MARGIN * farthest)
   return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
+}
+
+/**
+ * Returns the default bounds of drawings of a diagram. For the metric `power` and a maximum distance there is room for
+ * the discs in which cells are kept.
+ */
+export function exportBoxOf(diagram: DiagramData, maxDistance?: number): Box {
+  const { circles, metric } = diagram
+  if (metric !== 'power' || maxDistance === undefined) return exportBox(circles, maxDistance)
+  const discs = circles.map((number, k) =>
+    k % 3 === 2 ? Math.max(number, reachFrom(diagram, (k - 2) / 3, maxDistance)) : number,
+  )
+  return exportBox(discs)
 }
 
 /** Returns the default tolerance of drawn curves: a hundred-thousandth of the box. */

@@ -102,6 +102,7 @@ class CellClip {
 
   outline(): SharedPiece[][] {
     const pieces = this.#border.pieces()
+    if (pieces === undefined) return []
     const crossings = pieces.map((piece) => this.#crossingsOf(piece))
     const isCornerInside = pieces.every(({ line }) => line.sideOf(this.#lines[0] as ClipLine) > 0)
     if (crossings.every(({ length }) => length === 0)) {
