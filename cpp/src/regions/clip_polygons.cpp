@@ -225,7 +225,7 @@ void ClipFlattener::collectCorners() {
     clearance = 0;
     last = parts.crossings.all[at(crossing)].point;
     parts.visitCorners(parts.stretchFrom(crossing),
-                       [&, cell = cell](RegionSideIndex side) { add(cell, parts.pointOf(parts.sideAfter(side))); });
+                       [&, own = cell](RegionSideIndex side) { add(own, parts.pointOf(parts.sideAfter(side))); });
   }
   for (const auto& [cell, ring] : parts.allRings()) {
     clearance = 0;

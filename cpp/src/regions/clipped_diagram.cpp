@@ -235,8 +235,8 @@ std::optional<EmptyDisc> ClippedDiagram::largestEmptyDisc() const {
   for (const auto& [cell, crossing] : parts.allCrossings()) {
     const Edge& edge = diagram().edges[at(all[at(crossing)].edge)];
     offerPoint(all[at(crossing)].point, edge.left, edge.right);
-    parts.visitCorners(parts.stretchFrom(crossing), [&, cell = cell](RegionSideIndex side) {
-      offerPoint(parts.pointOf(parts.sideAfter(side)), cell, kNone);
+    parts.visitCorners(parts.stretchFrom(crossing), [&, own = cell](RegionSideIndex side) {
+      offerPoint(parts.pointOf(parts.sideAfter(side)), own, kNone);
     });
   }
   for (const auto& [cell, ring] : parts.allRings()) {

@@ -146,7 +146,7 @@ Projection projected(const SphereDiagram& diagram, const Places& places) {
 /// Fills edges, the caps of vertices, and links from the diagram of the plane.
 void assemble(SphereDiagram& sphere, const Diagram& plane, const Projection& projection) {
   const auto& [pole, rest, circles, hiddenByPole, rounding] = projection;
-  const auto capOf = [&rest = projection.rest](CircleIndex circle) { return rest[at(circle)]; };
+  const auto capOf = [&caps = projection.rest](CircleIndex circle) { return caps[at(circle)]; };
   for (const CircleIndex i : hiddenByPole) sphere.hidden.push_back({i, pole});
   for (const auto& [circle, by] : plane.hidden) sphere.hidden.push_back({capOf(circle), capOf(by)});
   std::ranges::sort(sphere.hidden, {}, [](const HiddenCircle& h) { return std::int32_t{h.circle}; });
