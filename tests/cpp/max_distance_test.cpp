@@ -353,8 +353,10 @@ TEST(MaxDistance, OfTheCentersIsCutAroundThese) {
 Circles discsWithin(const Diagram& diagram, double d) {
   Circles discs = diagram.circles;
   for (Circle& c : discs) {
-    const double weight = diagram.weights ? c.r : c.r * c.r;
-    c.r = std::sqrt(std::max(weight + d * std::abs(d), 0.0));
+    // Radii and distances may cancel.
+    const long double r = c.r;
+    const long double more = d;
+    c.r = static_cast<double>(std::sqrt(std::max((diagram.weights ? r : r * r) + more * std::abs(more), 0.0L)));
   }
   return discs;
 }
@@ -372,7 +374,7 @@ void expectUnion(const Diagram& diagram, double d) {
         EXPECT_EQ(loop[k].curve.end, loop[(k + 1) % loop.size()].curve.start) << "cell " << i << " piece " << k;
         const Circle& c = discs[static_cast<std::size_t>(i)];
         if (loop[k].isOnCircle()) {
-          EXPECT_NEAR(loop[k].r, c.r, 1e-15 * c.r);
+          EXPECT_NEAR(loop[k].r, c.r, 1e-14 * c.r);
         }
         const Point p = loop[k].curve.start;
         EXPECT_LE(std::hypot(p.x - c.x, p.y - c.y), c.r + 1e-7 * size) << "cell " << i << " piece " << k;

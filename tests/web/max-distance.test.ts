@@ -9,6 +9,7 @@ import { anyCircles, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink, windingOf } from './recording-sink.ts'
+import { tuple } from './tuples.ts'
 
 const ROWS = 4000
 
@@ -129,6 +130,10 @@ describe('a maximum distance', () => {
           return Math.sqrt(Math.max((weights ? number : number ** 2) + maxDistance * Math.abs(maxDistance), 0))
         })
         const box = diagram.exportBox({ maxDistance })
+        for (let i = 0; i < discs.length; i += 3) {
+          const [x, y, r] = tuple(discs, i, 3)
+          expect(Math.min(x - r - box.minX, box.maxX - x - r, y - r - box.minY, box.maxY - y - r)).toBeGreaterThan(0)
+        }
         const sum = diagram.cellAreas({ maxDistance }).reduce((partial, part) => partial + part, 0)
         const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
         expect(Math.abs(sum - unionArea(discs, 0, grown(box, size)))).toBeLessThan(1e-3 * size * size)
