@@ -210,6 +210,17 @@ export class PageActions extends EditorActions {
     })
   }
 
+  /** Moves the ends of the path that panels cover, and did not cover before, to where they are seen. */
+  uncoverPath(before: Padding): void {
+    const { path } = this.view.layers
+    if (path === undefined) return
+    const isCovered = (end: Point) => this.shows(end, before) && !this.shows(end)
+    const across = this.pathAcross()
+    const from = isCovered(path.from) ? across.from : path.from
+    const to = isCovered(path.to) ? across.to : path.to
+    if (from !== path.from || to !== path.to) this.view.setLayers({ path: { from, to } })
+  }
+
   /** The names of numeric columns. */
   get columns(): readonly string[] {
     return this.editing.attributes.columns.filter(isNumeric).map(({ name }) => name)

@@ -2,7 +2,7 @@
 import { COORDINATE_LIMIT, SMALLEST_INPUT } from '../lib/base/coordinate-limits.ts'
 import type { Edit, Point } from '../lib/index.ts'
 import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
-import { boundingBox, type Padding } from '../view/camera.ts'
+import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { HANDLE_RADIUS } from '../view/overlay.ts'
@@ -150,17 +150,6 @@ export class OpeningActions extends SelectionActions {
     const { path, nearZero, maxDistance } = this.view.layers
     if (path === undefined && nearZero === undefined && maxDistance === undefined) return
     this.view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
-  }
-
-  /** Moves the ends of the path that panels cover, and did not cover before, to where they are seen. */
-  uncoverPath(before: Padding): void {
-    const { path } = this.view.layers
-    if (path === undefined) return
-    const isCovered = (end: Point) => this.shows(end, before) && !this.shows(end)
-    const across = this.pathAcross()
-    const from = isCovered(path.from) ? across.from : path.from
-    const to = isCovered(path.to) ? across.to : path.to
-    if (from !== path.from || to !== path.to) this.view.setLayers({ path: { from, to } })
   }
 
   /** A path across the part of the plane that no panel covers, with its ends outside of circles. */

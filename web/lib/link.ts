@@ -393,7 +393,7 @@ function problemOf(said: unknown): string | undefined {
   if (attributes !== undefined && !areAttributes(attributes, Array.isArray(circles) ? circles.length / 3 : 0))
     return 'the attributes are not those of the circles'
   if (headings !== undefined && !(Array.isArray(headings) && headings.length === 3 && headings.every(isName)))
-    return 'the headings are not the names of x, y and r'
+    return 'the headings are not three names'
   if (colors !== undefined && !(typeof colors === 'string' && /^[0-7]*$/.test(colors)))
     return 'the colors are not digits from 0 to 7'
   if (dataSet !== undefined) {

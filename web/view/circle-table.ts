@@ -31,10 +31,8 @@ export interface Hit {
   readonly inReach?: number
 }
 
-/** The translation of circles themselves. */
-const IN_PLACE: Point = { x: 0, y: 0 }
-/** The multiples of two periods from a circle to its images around it. */
-const AROUND = [-1, 0, 1].flatMap((k) => [-1, 0, 1].map((l) => [k, l] as const)).filter(([k, l]) => k !== 0 || l !== 0)
+/** The multiples of a period from a circle to its images, beginning with the circle itself. */
+const AROUND = [0, 1, -1]
 /** Number of circles from which the core is estimated. */
 const CORE_SAMPLE = 1000
 
@@ -238,11 +236,10 @@ export class CircleTable {
    * `images` are the translations of circles that repeat (`imagesOf`). The cell does not repeat, so `id` itself may be
    * returned.
    */
-  closerThan(id: number, point: Point, images: readonly Point[] = [IN_PLACE]): number | undefined {
+  closerThan(id: number, point: Point, images: readonly Point[]): number | undefined {
     const distance = this.distanceTo(id, point)
-    for (const image of images) {
-      const place = { x: point.x - image.x, y: point.y - image.y }
-      const closer = this.#closerTo(place, distance, image === IN_PLACE ? id : undefined)
+    for (const [k, { x, y }] of images.entries()) {
+      const closer = this.#closerTo({ x: point.x - x, y: point.y - y }, distance, k === 0 ? id : undefined)
       if (closer !== undefined) return closer
     }
     return undefined
@@ -299,11 +296,11 @@ export class CircleTable {
   }
 }
 
-/** The translations of circles that repeat with a lattice: in place, and to the images around. */
+/** The translations of circles that repeat with a lattice, beginning with that to their own places. */
 export function imagesOf(lattice: Lattice | null | undefined): Point[] {
-  if (!lattice) return [IN_PLACE]
+  if (!lattice) return [{ x: 0, y: 0 }]
   const [u, v] = shortestPeriods(lattice).vectors
-  return [IN_PLACE, ...AROUND.map(([k, l]) => ({ x: k * u.x + l * v.x, y: k * u.y + l * v.y }))]
+  return AROUND.flatMap((k) => AROUND.map((l) => ({ x: k * u.x + l * v.x, y: k * u.y + l * v.y })))
 }
 
 function coreOf(circles: Float64Array): Box {

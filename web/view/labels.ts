@@ -118,7 +118,6 @@ export function placed({ list, circles, domain, within }: Names, frame: Frame, m
 }
 
 function shortened(text: string): string {
-  if (text.length <= LONGEST) return text
   // A letter has at most two code units.
   const letters = [...text.slice(0, 2 * LONGEST + 1)]
   return letters.length > LONGEST ? `${letters.slice(0, LONGEST - 1).join('')}…` : text

@@ -86,7 +86,7 @@ export class Rings {
     const { camera, size } = this.#view
     // All lengths are read before any style changes.
     const widths = this.#rings.map(({ id }) => this.#drawn.get(id)?.label.offsetWidth ?? 0)
-    const taken: { readonly x: number; readonly top: number; readonly width: number }[] = []
+    const taken: (readonly [x: number, top: number, width: number])[] = []
     for (const [k, { id }] of this.#rings.entries()) {
       const { ring, label } = this.#drawn.get(id) as { ring: SVGCircleElement; label: HTMLElement }
       const circle = this.#view.discOf(id)
@@ -98,13 +98,13 @@ export class Rings {
       const r = Math.max(circle.r * camera.scale + DISTANCE, SMALLEST)
       for (const [name, value] of Object.entries({ cx: x, cy: y, r })) ring.setAttribute(name, `${value}`)
       const width = widths[k] as number
-      const isFree = (top: number) =>
-        taken.every((other) => Math.abs(x - other.x) >= (width + other.width) / 2 || Math.abs(top - other.top) >= LABEL)
+      const isTaken = (top: number) =>
+        taken.some(([left, above, wide]) => 2 * Math.abs(x - left) < width + wide && Math.abs(top - above) < LABEL)
       // A label stays in sight: below its circle, or else above or on it.
       const places = [y + r + GAP, y - r - GAP - LABEL, y - LABEL / 2]
       const seen = places.filter((top) => top >= 0 && top + LABEL <= size.height)
-      const top = seen.find(isFree) ?? seen[0] ?? (places[0] as number)
-      taken.push({ x, top, width })
+      const top = seen.find((top) => !isTaken(top)) ?? seen[0] ?? (places[0] as number)
+      taken.push([x, top, width])
       label.style.translate = `calc(${x}px - 50%) ${top}px`
     }
   }
