@@ -13,8 +13,7 @@ class WideInteger {
  public:
   WideInteger() = default;
   template <class Integer>
-    requires std::is_integral_v<Integer>
-  WideInteger(Integer value)
+  requires std::is_integral_v<Integer> WideInteger(Integer value)
       : low_(static_cast<Half>(value)), high_(std::is_signed_v<Integer> && value < 0 ? ~Half{0} : 0) {}
   explicit WideInteger(const WideInteger<!kIsSigned>& other) : low_(other.low_), high_(other.high_) {}
 
@@ -48,9 +47,7 @@ class WideInteger {
     return {other << 32 | (least & kQuarter), carry + a.low_ * b.high_ + a.high_ * b.low_};
   }
   /// Rounds toward zero; b is not 0.
-  friend WideInteger operator/(const WideInteger& a, const WideInteger& b)
-    requires kIsSigned
-  {
+  friend WideInteger operator/(const WideInteger& a, const WideInteger& b) requires kIsSigned {
     const WideInteger<false> dividend(a < 0 ? -a : a), divisor(b < 0 ? -b : b);
     WideInteger<false> quotient, rest;
     for (int bit = 127; bit >= 0; --bit) {
