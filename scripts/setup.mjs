@@ -28,6 +28,7 @@ const PURPOSES = {
   },
   tests: {
     packages: [
+      'clang',
       'clang-format',
       'gcovr',
       'libboost-dev',
@@ -40,6 +41,7 @@ const PURPOSES = {
       'mkdocs',
       'mypy',
       'nlohmann-json3-dev',
+      'pkgconf',
       'pybind11-dev',
       'python3-dev',
       'python3-distributed',
@@ -62,16 +64,16 @@ const ELSEWHERE = {
     install: 'sudo dnf install',
     page: 'emscripten cmake ninja-build gcc-c++ eigen3-devel cli11-devel fast_float-devel range-v3-devel mandoc',
     tests:
-      'clang-tools-extra gcovr boost-devel CGAL-devel gtest-devel google-benchmark-devel gmp-devel mpfr-devel ' +
-      'librsvg2-tools mkdocs json-devel pybind11-devel python3-devel python3-mypy python3-geopandas ' +
+      'clang clang-tools-extra gcovr boost-devel CGAL-devel gtest-devel google-benchmark-devel gmp-devel mpfr-devel ' +
+      'librsvg2-tools mkdocs json-devel pkgconf pybind11-devel python3-devel python3-mypy python3-geopandas ' +
       'python3-matplotlib python3-pytest python3-scipy python3-shapely chromium firefox xorg-x11-server-Xvfb',
   },
   darwin: {
     install: 'brew install',
     page: 'emscripten cmake ninja eigen cli11 fast_float range-v3 mandoc',
     tests:
-      'clang-format gcovr boost cgal googletest google-benchmark gmp mpfr librsvg mkdocs nlohmann-json pybind11 mypy ' +
-      'chromium firefox',
+      'clang-format gcovr boost cgal googletest google-benchmark gmp mpfr librsvg mkdocs nlohmann-json pkgconf pybind11 ' +
+      'mypy chromium firefox',
   },
 }
 

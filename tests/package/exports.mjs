@@ -14,7 +14,7 @@ export function sourceWithHeaders(include) {
 /** Returns the linker's names of all functions and variables that a library with the headers in `include` must define. */
 export function declaredNames(include) {
   const tree = execFileSync(
-    'clang++-14',
+    'clang++',
     [
       ...['-std=c++20', `-I${include}`, '-fsyntax-only', '-x', 'c++', '-'],
       ...['-Xclang', '-ast-dump=json', '-Xclang', '-ast-dump-filter=circle_voronoi'],
