@@ -341,6 +341,6 @@ test('the numbers of no circles are drawn without an error', async ({ app }) => 
   await app.page.keyboard.press('Delete')
   await expect(app.status).toContainText('0 circles')
   await app.painted()
-  await expect(app.page.locator('#numbers')).toContainText('Neighbors: 0.00 on average')
+  await expect(app.page.locator('#numbers')).toContainText('No cell is bounded')
   await expect(charts).toHaveCount(0)
 })
