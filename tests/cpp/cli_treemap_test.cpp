@@ -18,12 +18,12 @@ using Json = nlohmann::json;
 
 constexpr const char* kPeople =
     "land,people,town\nNorth,3,Ash\nNorth,2,Birch\nSouth,1,Ash\n\"No, man\",0,\"01\"\nNorth,1,Ash\nSouth,4,Cedar\n";
-constexpr const char* kSquare = "POLYGON ((0 0, 11 0, 11 1, 0 1))";
+constexpr const char* kStrip = "POLYGON ((0 0, 11 0, 11 1, 0 1))";
 
 class CliTreemap : public test::Cli {
  protected:
   const std::string people_ = write("people.csv", kPeople);
-  const std::string region_ = " --region " + write("region.wkt", kSquare);
+  const std::string region_ = " --region " + write("region.wkt", kStrip);
   const std::string options_ = " --path land,town --values people" + region_;
 
   std::string textOf(const std::string& arguments, const std::string& input = "") const {
