@@ -149,6 +149,22 @@ test('the ends of the clearest path are not behind a panel that opens later', as
   await soon(endsSeen).toEqual([true, true])
 })
 
+test('an end of the clearest path is not behind the card for sharing', async ({ introduction: app }) => {
+  const { page } = app
+  await app.openPanel('Layers')
+  await page.getByRole('checkbox', { name: 'Clearest path' }).check()
+  const pathOf = async () => (await decodeLink(new URL(page.url()).hash)).layers?.path as unknown as Path | undefined
+  await soon(pathOf).toBeDefined()
+  const before = (await pathOf()) as Path
+  await app.drag(app.locate(INTRODUCTION, before.to), { x: 1200, y: 400 })
+  await page.mouse.up()
+  await soon(pathOf).not.toEqual(before)
+  await page.getByRole('button', { name: 'Share', exact: true }).click()
+  await expect(page.getByRole('button', { name: 'Copy link' })).toBeVisible()
+  const card = (await page.locator('#share').boundingBox()) as { x: number }
+  await soon(async () => app.locate(INTRODUCTION, ((await pathOf()) as Path).to).x).toBeLessThan(card.x)
+})
+
 test('numbers are those of the circles, and say by which way a diagram is right', async ({ app }) => {
   const { page } = app
   const panel = page.getByRole('region', { name: 'Numbers' })

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { View } from '../view/view.ts'
+import { coveredOfPage } from './padding.ts'
 import type { PageActions } from './page-actions.ts'
 
 /** The elements that surround or cover the picture. */
@@ -7,7 +8,8 @@ const AROUND = '#figure, #top, #rail, #left > .panel, #share, #player'
 
 /** Keeps all circles visible, if they were, and the ends of a path, when panels open and when the window resizes. */
 export function arrangeAround(view: View, actions: PageActions): void {
-  view.covered = () => actions.paddingNow
+  actions.covered = coveredOfPage
+  view.covered = coveredOfPage
   let isWhole = actions.isWhole
   let padding = actions.paddingNow
   let table = view.circles

@@ -5,6 +5,8 @@ import { byId } from './panels/by-id.ts'
 /** Space between circles and the panels around them, in pixels. */
 const ROOM = 16
 const ROOM_AT_EDGE = 32
+/** The largest width of a panel that is no sheet, relative to the window. */
+const WIDEST = 0.7
 /** Height of a scene's initial caption, in rem. It disappears at the first touch without moving anything. */
 const SAID = 5.625
 /** Height of the caption in a narrow window, where its lines are short. */
@@ -26,7 +28,7 @@ export function paddingOfPage(): Padding {
   const panel = document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect()
   const [player, share] = [boxOf('player'), boxOf('share')]
   // Panels on phones are sheets as wide as the window.
-  const isSheet = ({ width }: DOMRect) => width > 0.7 * innerWidth
+  const isSheet = ({ width }: DOMRect) => width > WIDEST * innerWidth
   const sheets = [panel, player, share]
     .filter((box) => box !== undefined && isSheet(box))
     .map((box) => box?.top ?? innerHeight)
@@ -49,4 +51,12 @@ export function paddingOfPage(): Padding {
     bottom: innerHeight - Math.min(...(sheets.length > 0 ? [lowest, ...sheets] : [free])) + ROOM,
     left: Math.max(...left) + ROOM,
   }
+}
+
+/** The space that panels cover, with the card for sharing, which leaves room for all circles in wide windows. */
+export function coveredOfPage(): Padding {
+  const padding = paddingOfPage()
+  const { left, width } = byId('share', HTMLElement).getBoundingClientRect()
+  const isBeside = width > 0 && width <= WIDEST * innerWidth
+  return isBeside ? { ...padding, right: Math.max(padding.right, innerWidth - left + ROOM) } : padding
 }

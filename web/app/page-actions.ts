@@ -64,6 +64,13 @@ export class PageActions extends EditorActions {
     this.#make = (recipe) => reader.call('make', recipe)
   }
 
+  /** The space that panels cover. */
+  covered = (): Padding => this.padding()
+
+  override get paddingNow(): Padding {
+    return this.covered()
+  }
+
   /** Draws with the tool `draw`. */
   pen: RegionPen | undefined
   /** The title, question and check of the last opened link; `undefined` if it had none. */
