@@ -40,8 +40,6 @@ Options withWeights(bool weights, Metric metric = Metric::circles) {
   return options;
 }
 
-double cellArea(const Diagram& diagram, CircleIndex circle) { return area(outline(diagram, circle)); }
-
 /// The cells of the given circles: the neighbors of each, counter-clockwise and starting with the smallest rotation.
 using Neighbors = std::vector<std::tuple<std::int32_t, std::int32_t, std::int32_t>>;
 
