@@ -78,7 +78,7 @@ test('cells that are redrawn where they change give the picture of all cells', a
   }`)
   const pixels = async (html: string) => {
     await shown(page, html)
-    await page.waitForFunction('globalThis.isDrawn', undefined, { polling: 100 })
+    await soon(() => page.evaluate(() => 'isDrawn' in globalThis)).toBe(true)
     return page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
       return Array.from((canvas.getContext('2d') as CanvasRenderingContext2D).getImageData(0, 0, 480, 300).data)
     })
