@@ -16,8 +16,8 @@ import {
 
 const STEPS = 160
 /** The plot's place on the picture. */
-const PLOT = { left: 56, right: WIDTH - 24, top: HEIGHT + 30, bottom: HEIGHT + 190 }
-const WALK_HEIGHT = HEIGHT + 220
+const PLOT = { left: 56, right: WIDTH - 24, top: HEIGHT + 46, bottom: HEIGHT + 206 }
+const WALK_HEIGHT = HEIGHT + 236
 
 export const walk: Kind = {
   height: WALK_HEIGHT,
