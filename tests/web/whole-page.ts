@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole page with its threads, without a browser. Nothing of the project is replaced, and canvases have no pixels.
 import { readFile } from 'node:fs/promises'
-import { expect, vi } from 'vitest'
+import { afterAll, expect, vi } from 'vitest'
 import type { PageActions } from '../../web/app/page-actions.ts'
 import type { Attributes } from '../../web/editing/attributes.ts'
 import type { Editing } from '../../web/editing/editing.ts'
@@ -90,9 +90,15 @@ export function surround() {
   return { media }
 }
 
+/** The view of the page that runs. Its timers must not outlive the document. */
+let shown: View | undefined
+const end = () => shown?.dispose()
+afterAll(end)
+
 /** Starts the page, at a link, and returns what its controls act on once `main.ts` has run. */
 export async function wholePage(link: LinkInput | string = { circles: FIVE }) {
   vi.resetModules()
+  end()
   const { media } = surround()
   const hash = typeof link === 'string' ? link : await encodeLink(link)
   history.replaceState(null, '', hash === '' ? location.pathname : `#${hash}`)
@@ -102,6 +108,7 @@ export async function wholePage(link: LinkInput | string = { circles: FIVE }) {
   const actions = opened.mock.contexts[0] as unknown as PageActions & Parts
   opened.mockRestore()
   const { store, editing, view } = actions
+  shown = view
   /** Opens circles with columns of a file. */
   const open = async (circles: Float64Array<ArrayBuffer>, columns: Attributes['columns'] = []) => {
     const attributes = { columns, ids: [], heights: [], collection: '' }
