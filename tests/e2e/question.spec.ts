@@ -81,7 +81,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
   })
   await expect(tab.getByRole('status')).toHaveText('Gelöst')
   await expect(ring).toHaveClass(/closed/)
-  // Where nothing moves, a sign says it, too.
+  // Check marks say the same without motion.
   const before = (place: Locator, part: string) =>
     place.evaluate((element, part) => getComputedStyle(element, part).content, part)
   expect(await before(tab.getByRole('status'), '::before')).toContain('✓')

@@ -13,7 +13,7 @@
 #if CIRCLE_VORONOI_HAS_EXTENSIONS
 #define CIRCLE_VORONOI_ALWAYS_INLINE [[gnu::always_inline]]
 #define CIRCLE_VORONOI_NEVER_INLINE [[gnu::noinline]]
-/// Also keeps a function that rarely runs away from the others.
+/// Marks a function that rarely runs. Compilers do not inline it, and place it apart from other code.
 #define CIRCLE_VORONOI_COLD [[gnu::noinline, gnu::cold]]
 #else
 #define CIRCLE_VORONOI_ALWAYS_INLINE
@@ -21,7 +21,7 @@
 #define CIRCLE_VORONOI_COLD
 #endif
 
-// Processors of 32 bits have no such integers.
+// Compilers for processors of 32 bits have no integers of 128 bits.
 #if CIRCLE_VORONOI_HAS_EXTENSIONS && defined(__SIZEOF_INT128__)
 namespace circle_voronoi {
 __extension__ using Int128 = __int128;

@@ -17,7 +17,7 @@ class WideInteger {
       : low_(static_cast<Half>(value)), high_(std::is_signed_v<Integer> && value < 0 ? ~Half{0} : 0) {}
   explicit WideInteger(const WideInteger<!kIsSigned>& other) : low_(other.low_), high_(other.high_) {}
 
-  /// Convert modulo 2^64.
+  /// Conversions to built-in integers are modulo 2^64.
   explicit operator std::uint64_t() const { return low_; }
   explicit operator std::int64_t() const { return static_cast<std::int64_t>(low_); }
 
@@ -46,7 +46,7 @@ class WideInteger {
     const Half carry = a1 * b1 + (middle >> 32) + (other >> 32);
     return {other << 32 | (least & kQuarter), carry + a.low_ * b.high_ + a.high_ * b.low_};
   }
-  /// Rounds toward zero; b is not 0.
+  /// The quotient is rounded toward zero. Precondition: b is not 0.
   friend WideInteger operator/(const WideInteger& a, const WideInteger& b) requires kIsSigned {
     const WideInteger<false> dividend(a < 0 ? -a : a), divisor(b < 0 ? -b : b);
     WideInteger<false> quotient, rest;

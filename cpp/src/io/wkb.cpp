@@ -109,7 +109,7 @@ class WkbTranslator {
     addList(integer(form.isLittle), [&] { addPosition(form); });
   }
 
-  /// Parts of a MULTIPOINT and the like have no type in their text.
+  /// Adds a geometry. `hasType`: whether its text begins with its type, which parts of a MULTIPOINT and the like lack.
   void addGeometry(bool hasType, int depth) {
     if (depth == kMostNested) {
       fail("collections are nested more than " + std::to_string(kMostNested) + " deep.");
