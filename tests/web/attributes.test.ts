@@ -6,11 +6,13 @@ import { LinkWriter } from '../../web/app/link-writer.ts'
 import {
   attributesOf,
   columnsOf,
+  fileAttributes,
   isNumeric,
   membersOf,
   numberIn,
   textIn,
   valueFrom,
+  valueIn,
 } from '../../web/editing/attributes.ts'
 import { nameColumn, namesBy } from '../../web/editing/identity.ts'
 import { NONE } from '../../web/lib/base/diagram-data.ts'
@@ -87,7 +89,7 @@ describe('in the page, attributes', () => {
   it('are void for circles that have come since', async () => {
     const { editing } = await started()
     const [, set] = await Promise.all([editing.open(scene), editing.setValues('n', new Map([[0, '1']]))])
-    expect([set, editing.valueOf(0, 'n')]).toEqual([undefined, '12345678901234567890'])
+    expect([set, valueIn(editing.attributes, 'n', 0)]).toEqual([undefined, '12345678901234567890'])
   })
 
   it('are in a link with few circles, with the column of the colors, and in none that has no room', async () => {
@@ -100,7 +102,7 @@ describe('in the page, attributes', () => {
     expect((await decodeLink(link)).attributes).toEqual(attributesOf(ATTRIBUTES, [0, 2]))
     view.layers = DEFAULT_LAYERS
     await actions.openLink(link)
-    expect(editing.fileAttributes).toEqual(attributesOf(ATTRIBUTES, [0, 2]))
+    expect(fileAttributes(editing)).toEqual(attributesOf(ATTRIBUTES, [0, 2]))
     expect(view.layers.column?.name).toBe('n')
 
     const tried: unknown[] = []

@@ -1,5 +1,7 @@
 import { describe, expect, it, vi } from 'vitest'
 import { Editing } from '../../web/editing/editing.ts'
+import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
 import { opened } from '../../web/element/data-of.ts'
 import type { Circle, Diagram, Edit } from '../../web/lib/index.ts'
 import type { RegionShape } from '../../web/lib/regions.ts'
@@ -263,6 +265,7 @@ async function started(circles = CIRCLES, domain = {}) {
   const problems: string[] = []
   const errors: (number | undefined)[] = []
   const editing = new Editing(
+    createStore(INITIAL_STATE),
     backend,
     (outcome) => errors.push(outcome.edited.fitted?.error),
     ({ message }) => problems.push(message),

@@ -4,7 +4,7 @@ export { aTurn, eventually } from './turns.ts'
 import { PageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
 import { EditorActions } from '../../web/editing/editor-actions.ts'
-import { INITIAL_STATE, stateAfter } from '../../web/editing/state.ts'
+import { INITIAL_STATE } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import { type Camera, NO_PADDING, type Padding, type Size } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -31,9 +31,10 @@ export function editingSession({
   const computer = new LibraryBackend(before)
   const store = createStore(INITIAL_STATE)
   const problems: string[] = []
-  const editing: Editing = new Editing(
+  const editing = new Editing(
+    store,
     computer,
-    (outcome) => store.update((state) => stateAfter(state, outcome, editing.circles)),
+    () => {},
     (error) => {
       const { message: problem } = error
       problems.push(problem)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { Editing, type Outcome } from '../../web/editing/editing.ts'
+import { valueIn } from '../../web/editing/attributes.ts'
+import { Editing } from '../../web/editing/editing.ts'
 import { problemOf } from '../../web/editing/problem.ts'
+import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import { editOf } from './arbitrary-circles.ts'
@@ -29,6 +33,7 @@ async function started(circles = TWO) {
     return apply(edits)
   }
   const editing = new Editing(
+    createStore(INITIAL_STATE),
     computer,
     ({ isOpened }) => {
       outcomes.push(asked.length)
@@ -92,6 +97,7 @@ describe('Editing', () => {
     const computer = new LibraryBackend(async () => {})
     const problems: unknown[] = []
     const editing = new Editing(
+      createStore(INITIAL_STATE),
       computer,
       () => {},
       (error) => problems.push(error.message),
@@ -119,8 +125,9 @@ describe('Editing', () => {
   it('forgets the oldest steps where its history takes too many bytes, and goes back through the others', async () => {
     const histories: number[] = []
     const ignore = () => {}
-    const record = ({ history }: Outcome) => histories.push(history.done.length)
-    const editing = new Editing(new LibraryBackend(async () => {}), record, ignore, 5 * 300)
+    const store = createStore(INITIAL_STATE)
+    const record = () => histories.push(store.get().history.done.length)
+    const editing = new Editing(store, new LibraryBackend(async () => {}), record, ignore, 5 * 300)
     await editing.open(sceneOf(TWO))
     for (let x = 1; x <= 20; x++) await editing.edit([...moved(0, x), ...moved(1, -x)])
     expect(Math.max(...histories)).toBe(5)
@@ -146,6 +153,7 @@ describe('Editing', () => {
       return { ...(await apply.call(this, edits)), colors }
     }
     const editing = new Editing(
+      createStore(INITIAL_STATE),
       computer,
       () => {},
       () => expect.unreachable(),
@@ -313,7 +321,9 @@ describe('a history', () => {
           const ids = [...editing.circles.ids()]
           expect(ids).toEqual([...model.seen.circles.keys()].sort((a, b) => a - b))
           expect(ids.map((id) => editing.circles.get(id))).toEqual(ids.map((id) => model.seen.circles.get(id)))
-          expect(ids.map((id) => editing.valueOf(id, 'name'))).toEqual(ids.map((id) => model.seen.names.get(id) ?? ''))
+          expect(ids.map((id) => valueIn(editing.attributes, 'name', id))).toEqual(
+            ids.map((id) => model.seen.names.get(id) ?? ''),
+          )
         }
         const check = async () => {
           await Promise.all(asked.splice(0))

@@ -20,7 +20,9 @@ describe('the first scene', () => {
 
   it('is the first data set, which is not saved before it is changed', async () => {
     page = await wholePage('')
-    await soon(() => expect([page.store.get().dataSet, status()]).toEqual(['start', expect.stringMatching(/^8 /)]))
+    await soon(() =>
+      expect([page.store.get().scene?.dataSet, status()]).toEqual(['start', expect.stringMatching(/^8 /)]),
+    )
     const first = said()
     expect(location.hash).toBe('')
     // The circle that moves at first returns when something is pressed.
@@ -41,7 +43,7 @@ describe('the first scene', () => {
     expect([...page.editing.circles.circles()]).toEqual([...FIVE])
     expect([page.view.layers.hull, page.store.get().step]).toEqual([true, 1])
     page = await wholePage('v1.wrong')
-    await soon(() => expect([page.store.get().dataSet, element('problem').hidden]).toEqual(['start', false]))
+    await soon(() => expect([page.store.get().scene?.dataSet, element('problem').hidden]).toEqual(['start', false]))
   })
 })
 

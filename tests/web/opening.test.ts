@@ -136,7 +136,7 @@ describe('a link that is opened', () => {
     expect(await openLink({ dataSet: 'cities', ...more })).toBe('opened')
     const found = page.editing.domain.region
     expect(region === true ? found !== undefined : found).toEqual(region)
-    expect(page.store.get().dataSet).toBe('cities')
+    expect(page.editing.scene?.dataSet).toBe('cities')
   })
 
   it('keeps its title and question until a link without one', async () => {

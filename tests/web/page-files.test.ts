@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opening and saving files on the whole page.
 // @vitest-environment happy-dom
+
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
+import { valueIn } from '../../web/editing/attributes.ts'
+import { nameIn } from '../../web/editing/identity.ts'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -177,7 +180,7 @@ describe('points and polygons of one file', () => {
     await open(text(point(1), square(-5, 20), point(4)), 'both.geojson')
     await soon(() => expect(circles()).toEqual([1, 1, 1, 4, 4, 1]))
     expect(corners()).toBeGreaterThan(3)
-    expect(page.editing.nameOf(1)).toBe('P4')
+    expect(nameIn(page.editing.attributes, 1)).toBe('P4')
     await pressed(panel, 'GeoJSON')
     const saved = await out.file()
     expect(saved.name).toBe('both.geojson')
@@ -221,10 +224,10 @@ describe('a pasted table', () => {
   it('keeps its names and columns, as one step of undo', async () => {
     paste('x,y,r,Ort,n\n50,50,1,Ulm,7\n60,60,1,Bonn,8\n')
     await soon(() => expect(page.editing.circles.count).toBe(7))
-    await soon(() => expect([5, 6].map((id) => page.editing.nameOf(id))).toEqual(['Ulm', 'Bonn']))
-    expect(page.editing.nameOf(0)).toBe('Aa')
+    await soon(() => expect([5, 6].map((id) => nameIn(page.editing.attributes, id))).toEqual(['Ulm', 'Bonn']))
+    expect(nameIn(page.editing.attributes, 0)).toBe('Aa')
     expect(page.editing.attributes.columns.map(({ name }) => name)).toEqual(['name', 'n'])
-    expect(page.editing.valueOf(6, 'n')).toBe('8')
+    expect(valueIn(page.editing.attributes, 'n', 6)).toBe('8')
     await page.actions.undo()
     expect([page.editing.circles.count, page.editing.attributes.columns.length]).toEqual([5, 1])
   })

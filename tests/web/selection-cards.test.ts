@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cards of the selection, the menu and the clipboard on the whole page: what is done there, and the circles afterwards.
 // @vitest-environment happy-dom
+
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { nameIn } from '../../web/editing/identity.ts'
 import { all, control, controls, element, send, textOf } from './page-document.ts'
 import { entered, FIVE, pressed, quiet, soon, wholePage } from './whole-page.ts'
 
@@ -114,7 +116,7 @@ describe('the name of the selected circle', () => {
     name().value = text
     send(name(), 'input')
   }
-  const named = () => [0, 1, 2, 3, 4].map((id) => page.editing.nameOf(id))
+  const named = () => [0, 1, 2, 3, 4].map((id) => nameIn(page.editing.attributes, id))
 
   it('is given to the circle for which it was begun, also if another one is selected meanwhile', async () => {
     await select(2)

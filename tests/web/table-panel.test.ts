@@ -5,7 +5,7 @@ import fc from 'fast-check'
 import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
-import { attributesOfLink } from '../../web/editing/attributes.ts'
+import { attributesOfLink, valueIn } from '../../web/editing/attributes.ts'
 import { decodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { all, element, send, textOf } from './page-document.ts'
 import { quiet, soon, wholePage } from './whole-page.ts'
@@ -142,13 +142,13 @@ it('a name of any length is in the link, or refused in one sentence', async () =
   const letter = fc.string({ unit: 'grapheme', minLength: 1, maxLength: 5 }).filter((text) => text.trim() === text)
   await fc.assert(
     fc.asyncProperty(letter, fc.constantFrom(1, 9, 200, 900, 5000, 20_000), async (letters, times) => {
-      const [before, text] = [page.editing.valueOf(1, 'name'), letters.repeat(times)]
+      const [before, text] = [valueIn(page.editing.attributes, 'name', 1), letters.repeat(times)]
       page.actions.complain('')
       await edit(1, 'name')
       await write(text)
       if (problem() !== '') {
         expect(problem()).toMatch(/^Circle 1: .*\.$/)
-        expect([page.editing.valueOf(1, 'name'), text.length > 4000]).toEqual([before, true])
+        expect([valueIn(page.editing.attributes, 'name', 1), text.length > 4000]).toEqual([before, true])
         await key('Escape')
       }
       expect(await kept()).toBe(problem() === '' ? JSON.stringify(text) : before)

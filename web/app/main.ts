@@ -113,8 +113,8 @@ const degreesNotice = loadedOnce(async () => {
   const { mountDegrees } = await import('./panels/degrees.ts')
   mountDegrees(store, editing, actions, files)
 })
-store.subscribe(({ degrees }) => {
-  if (degrees !== undefined) degreesNotice().catch(() => complain(NOT_LOADED))
+store.subscribe(({ scene }) => {
+  if (scene?.degrees !== undefined) degreesNotice().catch(() => complain(NOT_LOADED))
 })
 mountSay(store, openFile)
 const motion = loadedOnce(async () => {

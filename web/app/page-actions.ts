@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { type Attributes, attributesOfLink, isNumeric, textIn } from '../editing/attributes.ts'
+import { type Attributes, attributesOfLink, isNumeric, numbersIn, textIn, valueIn } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
 import { EditorActions } from '../editing/editor-actions.ts'
 import type { CircleSet } from '../editing/history.ts'
-import { COLOR, colorColumn, isColor, NAME, nameColumn } from '../editing/identity.ts'
+import { COLOR, colorColumn, isColor, NAME, nameColumn, nameIn } from '../editing/identity.ts'
 import type { HowOpened, OpenRequest } from '../editing/opening-actions.ts'
-import type { Remedy, State } from '../editing/state.ts'
+import { dataSetName, type Remedy, type State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'
 import { decodeLink, LINK_LIMITS, type LinkFrame, type LinkView } from '../lib/link.ts'
@@ -157,7 +157,7 @@ export class PageActions extends EditorActions {
 
   /** The name of a circle, or an empty text. */
   nameOf(id: number): string {
-    return this.editing.nameOf(id)
+    return nameIn(this.editing.attributes, id)
   }
 
   /** Names a circle; an empty text removes its name. */
@@ -175,7 +175,9 @@ export class PageActions extends EditorActions {
 
   /** The CSS color of its own that a circle has. */
   ownColorOf(id: number): string | undefined {
-    const color = textIn(this.editing.valueOf(id, colorColumn(this.editing.attributes.columns)?.name ?? COLOR))
+    const color = textIn(
+      valueIn(this.editing.attributes, colorColumn(this.editing.attributes.columns)?.name ?? COLOR, id),
+    )
     return isColor(color) ? color : undefined
   }
 
@@ -188,7 +190,8 @@ export class PageActions extends EditorActions {
   }
 
   /** Updates the colors after an edit, a change of values or an opening. Call with each outcome. */
-  follow({ edited, attributes, isOpened }: Outcome): void {
+  follow({ edited, isOpened }: Outcome): void {
+    const { attributes } = this.editing
     if (isOpened) this.#showMosaic(this.photos.has(attributes))
     const { column } = this.view.layers
     const isOther = isOpened || attributes !== this.#attributes || edited.inserted.length > 0
@@ -239,7 +242,7 @@ export class PageActions extends EditorActions {
    */
   async setAreasBy(column: string): Promise<number | undefined> {
     const { circles } = this.editing
-    const values = this.editing.valuesOf(column)
+    const values = numbersIn(this.editing.attributes, column, circles)
     const wrong = values.findIndex((value) => value <= 0)
     if (wrong >= 0) {
       this.complain(`${column}: circle ${circles.ids()[wrong]} has ${values[wrong]}. Areas need numbers above 0.`)
@@ -307,7 +310,7 @@ export class PageActions extends EditorActions {
 
   /** Generates other random circles of the current family. */
   async generateAgain(): Promise<void> {
-    const source = sourceOf(this.store.get().dataSet)
+    const source = sourceOf(dataSetName(this.store.get()))
     if (source?.kind === 'family') await this.generate({ ...source, seed: randomSeed() })
   }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The attributes that files give to circles beside centers and radii, by columns. All values are JSON texts, so that no
 // number loses a digit and no text becomes a number.
+import type { Float64s } from '../lib/index.ts'
 import type { LinkAttributes, LinkState } from '../lib/link.ts'
+import type { CircleTable } from '../view/circle-table.ts'
 
 /** A column: the JSON text of a value for each circle by its id, empty where a circle has no value. */
 export interface DataColumn {
@@ -114,6 +116,32 @@ export function attributesOf(
   }
   const listOf = (list: readonly string[]) => (list.length === 0 ? [] : circles.map((id) => list[id] ?? ''))
   return { properties: circles.map(propertiesOf), ids: listOf(ids), heights: listOf(heights), collection }
+}
+
+/** Circles with attributes (`Editing`). */
+export interface Attributed {
+  readonly circles: CircleTable
+  readonly attributes: Attributes
+}
+
+/** The attributes of all circles, in their order; `undefined` if there are none. */
+export function fileAttributes({ attributes, circles }: Attributed): LinkAttributes | undefined {
+  return attributes === NO_ATTRIBUTES ? undefined : attributesOf(attributes, [...circles.ids()])
+}
+
+/** The JSON text of a circle's value in a column, empty if the circle has no value. */
+export function valueIn(attributes: Attributes, column: string, id: number): string {
+  return columnIn(attributes, column)?.values[id] ?? ''
+}
+
+/** A column in the order of the circles, with NaN where there is no number. */
+export function numbersIn(attributes: Attributes, column: string, circles: CircleTable): Float64s {
+  const values = columnIn(attributes, column)?.values
+  return Float64Array.from(circles.ids(), (id) => numberIn(values?.[id]))
+}
+
+function columnIn({ columns }: Attributes, name: string): DataColumn | undefined {
+  return columns.find((column) => column.name === name)
 }
 
 /** The members of a JSON object, with the JSON texts of their values. */

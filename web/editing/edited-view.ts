@@ -3,7 +3,7 @@ import type { View } from '../view/view.ts'
 import type { Attributes } from './attributes.ts'
 import { Editing, type Outcome } from './editing.ts'
 import { namesOf, ownColorsOf } from './identity.ts'
-import { INITIAL_STATE, type State, stateAfter, withSelection } from './state.ts'
+import { INITIAL_STATE, type State, withSelection } from './state.ts'
 import { createStore, type Store } from './store.ts'
 
 /** The editable circles of a view, with their history and query results. */
@@ -20,10 +20,9 @@ export function editView(
 ): EditedView {
   const store = createStore<State>(INITIAL_STATE)
   const editing = new Editing(
+    store,
     view,
     (outcome) => {
-      const { dataSet = '', degrees } = editing.scene ?? {}
-      store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet, degrees }))
       // Waits for the picture of the same edit, so that highlights and circles change together.
       if (store.get().selection.length > 0) choose()
       identify(outcome)
@@ -32,7 +31,8 @@ export function editView(
     onProblem,
   )
   let known: Attributes | undefined
-  const identify = ({ edited, attributes, isOpened }: Outcome) => {
+  const identify = ({ edited, isOpened }: Outcome) => {
+    const { attributes } = store.get()
     const isOther = isOpened || attributes !== known || edited.inserted.length > 0
     known = attributes
     if (isOther) view.setIdentities(namesOf(editing), ownColorsOf(editing))

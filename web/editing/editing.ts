@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { NewestQueue } from '../lib/base/newest-queue.ts'
-import type { Circle, Edit, Float64s } from '../lib/index.ts'
-import type { LinkAttributes } from '../lib/link.ts'
+import type { Circle, Edit } from '../lib/index.ts'
 import type { CircleTable, KeptIds } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
-import type { DomainChange, Shares } from '../view/protocol.ts'
-import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
+import type { DomainChange } from '../view/protocol.ts'
+import { Superseded } from '../view/refusal.ts'
 import type { Edited } from '../view/scene-client.ts'
-import { type Attributes, attributesOf, type DataColumn, NO_ATTRIBUTES, numberIn, withValues } from './attributes.ts'
+import { type Attributes, NO_ATTRIBUTES, withValues } from './attributes.ts'
+import { areasById, areasInOrder, domainChange, sharesInOrder, sharesOf } from './domain-change.ts'
 import { type CircleSet, EMPTY_HISTORY, type History, limited, MOST_BYTES, type Opening, record } from './history.ts'
-import { namesBy } from './identity.ts'
 import { PackedSteps } from './packed-steps.ts'
+import { type State, stateAfter } from './state.ts'
+import type { Store } from './store.ts'
 
 /** The backend that computes diagrams: a view. */
 export interface DiagramBackend {
@@ -20,13 +21,9 @@ export interface DiagramBackend {
   apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
 }
 
-/** The result of a request. */
+/** The result of a request. The rest is in the state. */
 export interface Outcome {
   readonly edited: Edited
-  readonly history: History
-  readonly domain: Domain
-  /** The attributes of circles, by their ids. */
-  readonly attributes: Attributes
   /** Whether the circles were replaced by others. */
   readonly isOpened: boolean
 }
@@ -37,26 +34,29 @@ export interface Past {
   readonly lastGesture: number
 }
 
+/** A confirmed request: its result, and the parts of the state that it changes. */
+interface Done {
+  readonly edited: Edited
+  readonly change: Pick<State, 'history'> & Partial<Pick<State, 'scene' | 'colors' | 'domain' | 'attributes'>>
+}
+
 interface Job {
   /** Maps circles to their values after an edit; `undefined` removes a circle. */
   readonly made: ReadonlyMap<number, Circle | undefined>
   /** Resolves to `undefined` if there was nothing to do. */
-  run(): Promise<Edited | undefined>
+  run(): Promise<Done | undefined>
 }
 
 /**
- * The circles and their history, as confirmed by the backend. A refused edit leaves no trace. Requests run one at a
- * time; a pending step of a drag is replaced by the next one, so that fast drags never queue up.
+ * Changes the circles and the parts of the state that belong to them, once the backend has confirmed a request. A
+ * refused edit leaves no trace. Requests run one at a time; a pending step of a drag is replaced by the next one, so
+ * that fast drags never queue up.
  */
 export class Editing {
+  readonly #store: Store<State>
   readonly #backend: DiagramBackend
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (error: Error) => void
-  #scene: CircleSet | undefined
-  #domain = NO_DOMAIN
-  #attributes = NO_ATTRIBUTES
-  #colors: string | undefined
-  #history = EMPTY_HISTORY
   readonly #mostBytes: number
   readonly #queue = new NewestQueue<Job, Edited | undefined>()
   #lastKey: string | undefined
@@ -68,15 +68,21 @@ export class Editing {
 
   /** `mostBytes` limits the memory of the history. */
   constructor(
+    store: Store<State>,
     backend: DiagramBackend,
     onOutcome: (outcome: Outcome) => void,
     onProblem: (error: Error) => void,
     mostBytes = MOST_BYTES,
   ) {
+    this.#store = store
     this.#backend = backend
     this.#onOutcome = onOutcome
     this.#onProblem = onProblem
     this.#mostBytes = mostBytes
+  }
+
+  get #state(): State {
+    return this.#store.get()
   }
 
   get circles(): CircleTable {
@@ -85,14 +91,13 @@ export class Editing {
 
   /** The history, for when the current circles are opened again under their ids. */
   get past(): Past {
-    return { history: this.#history, lastGesture: this.#lastGesture }
+    return { history: this.#state.history, lastGesture: this.#lastGesture }
   }
 
-  /** Continues the history of the circles that were opened, and returns it. */
-  takeUp({ history, lastGesture }: Past): History {
-    this.#history = history
+  /** Continues the history of the circles that were opened. */
+  takeUp({ history, lastGesture }: Past): void {
+    this.#store.update((state) => ({ ...state, history }))
     this.#lastGesture = Math.max(this.#lastGesture, lastGesture)
-    return history
   }
 
   /**
@@ -104,53 +109,22 @@ export class Editing {
 
   /** The opened circles without later edits. */
   get scene(): CircleSet | undefined {
-    return this.#scene
+    return this.#state.scene
   }
 
   /** The clipping region, and the areas by id. */
   get domain(): Domain {
-    return this.#domain
+    return this.#state.domain
   }
 
   /** The prescribed areas, in the order of the circles. */
   get areas(): Areas | undefined {
-    const { areas } = this.#domain
-    if (areas === undefined || areas === 'equal') return areas
-    const known = Array.from(this.circles.ids(), (id) => areas[id])
-    const named = known.filter((share) => share !== undefined)
-    const mean = named.reduce((sum, share) => sum + share, 0) / named.length
-    return known.map((share) => share ?? mean)
+    return areasInOrder(this.domain, this.circles)
   }
 
   /** The attributes of circles, by their ids. */
   get attributes(): Attributes {
-    return this.#attributes
-  }
-
-  /** The attributes of the current circles, in their order; `undefined` if there are none. */
-  get fileAttributes(): LinkAttributes | undefined {
-    if (this.#attributes === NO_ATTRIBUTES) return undefined
-    return attributesOf(this.#attributes, [...this.circles.ids()])
-  }
-
-  /** The name of a circle, or an empty text. */
-  nameOf(id: number): string {
-    return namesBy(this.#attributes.columns)(id)
-  }
-
-  /** The JSON text of a circle's value in a column, empty if the circle has no value. */
-  valueOf(id: number, column: string): string {
-    return this.#columnOf(column)?.values[id] ?? ''
-  }
-
-  /** A column in the order of the circles, with NaN where there is no number. */
-  valuesOf(name: string): Float64s {
-    const values = this.#columnOf(name)?.values
-    return Float64Array.from(this.circles.ids(), (id) => numberIn(values?.[id]))
-  }
-
-  #columnOf(name: string): DataColumn | undefined {
-    return this.#attributes.columns.find((column) => column.name === name)
+    return this.#state.attributes
   }
 
   /**
@@ -168,7 +142,7 @@ export class Editing {
   ): Promise<Edited | undefined> {
     return this.#ask(async () => {
       if (gesture <= this.#lastFormer || columns.size === 0) return undefined
-      let attributes = this.#attributes
+      let { attributes } = this.#state
       for (const [column, values] of columns) attributes = withValues(attributes, column, values)
       return this.#apply([], gesture, undefined, attributes)
     })
@@ -190,12 +164,11 @@ export class Editing {
   async open(scene: CircleSet, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     let isOpened = false
     const opened = this.#ask(async () => {
-      const before = this.#before()
-      const edited = await this.#replaceScene(scene, edits.length === 0)
-      this.#history = { done: [...this.#history.done, ...before], undone: [] }
+      const done = [...this.#state.history.done, ...this.#before()]
+      const opened = await this.#replaceScene(scene, { done, undone: [] }, edits.length === 0)
       this.#openings += 1
       isOpened = true
-      return edited
+      return opened
     })
     if (edits.length > 0) {
       const gesture = this.beginGesture()
@@ -222,15 +195,15 @@ export class Editing {
     change?: Partial<Domain>,
     attributes?: Attributes,
     colors?: string,
-  ): Promise<Edited> {
-    const before = this.#domain
-    const domain = change === undefined ? before : { ...before, ...change, ...this.#byId(change.areas) }
-    const edited = await this.#backend.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits), colors))
-    const former = { domain: change && before, attributes: attributes && this.#attributes }
-    this.#history = record(this.#history, edited.back, gesture, former)
-    this.#domain = domain
-    this.#attributes = attributes ?? this.#attributes
-    return edited
+  ): Promise<Done> {
+    const before = this.#state
+    const domain =
+      change === undefined ? before.domain : { ...before.domain, ...change, ...areasById(change.areas, this.circles) }
+    const shares = sharesOf(domain, this.circles, edits)
+    const edited = await this.#backend.apply(edits, domainChange(before.domain, domain, shares, colors))
+    const former = { domain: change && before.domain, attributes: attributes && before.attributes }
+    const history = record(before.history, edited.back, gesture, former)
+    return { edited, change: { history, domain, attributes: attributes ?? before.attributes } }
   }
 
   undo(): Promise<Edited | undefined> {
@@ -244,11 +217,10 @@ export class Editing {
   /** Reverts the edits of a gesture and forgets them. */
   async cancel(gesture: number): Promise<void> {
     await this.#ask(async () => {
-      const last = this.#history.done.at(-1)
+      const last = this.#state.history.done.at(-1)
       if (last?.kind !== 'edits' || last.gesture !== gesture) return undefined
-      const edited = await this.#goBack('done', 'undone')
-      this.#history = { done: this.#history.done, undone: [] }
-      return edited
+      const back = await this.#goBack('done', 'undone')
+      return back && { ...back, change: { ...back.change, history: { ...back.change.history, undone: [] } } }
     })
   }
 
@@ -258,121 +230,67 @@ export class Editing {
     return this.#ask(async () => (openings === this.#openings ? this.#goBack(from, to) : undefined))
   }
 
-  async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
-    const entry = this.#history[from].at(-1)
+  /** Applies the newest entry of a side of the history. Its reverse becomes an entry of the other side. */
+  async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Done | undefined> {
+    const before = this.#state
+    const entry = before.history[from].at(-1)
     if (entry === undefined) return undefined
-    if (entry.kind === 'opening') return this.#openAgain(entry, from, to)
-    const before = this.#domain
-    const { domain = before } = entry
+    const historyWith = (others: History[typeof to]): History => ({
+      ...EMPTY_HISTORY,
+      [from]: before.history[from].slice(0, -1),
+      [to]: [...before.history[to], ...others],
+    })
+    if (entry.kind === 'opening') return this.#replaceScene(entry.scene, historyWith(this.#before()))
+    const { domain = before.domain, attributes = before.attributes } = entry
     const steps = entry.steps.unpacked()
-    const change = this.#changeTo(domain, this.#sharesOf(domain, steps))
+    const change = domainChange(before.domain, domain, sharesOf(domain, this.circles, steps))
     const edited = await this.#backend.apply(steps, change)
-    this.#domain = domain
-    const attributes = this.#attributes
-    this.#attributes = entry.attributes ?? attributes
     const back = {
       ...entry,
       steps: PackedSteps.of(edited.back),
-      domain: entry.domain && before,
-      attributes: entry.attributes && attributes,
+      domain: entry.domain && before.domain,
+      attributes: entry.attributes && before.attributes,
     }
-    this.#history = {
-      ...this.#history,
-      [from]: this.#history[from].slice(0, -1),
-      [to]: [...this.#history[to], back],
-    } as History
-    return edited
-  }
-
-  async #openAgain(entry: Opening, from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
-    const before = this.#before()
-    const edited = await this.#replaceScene(entry.scene)
-    this.#history = {
-      ...EMPTY_HISTORY,
-      [from]: this.#history[from].slice(0, -1),
-      [to]: [...this.#history[to], ...before],
-    }
-    return edited
+    return { edited, change: { domain, attributes, history: historyWith([back]) } }
   }
 
   /** `areAll`: no edits follow, so the scene's colors apply to its circles. */
-  async #replaceScene(scene: CircleSet, areAll = true): Promise<Edited> {
-    const { circles, kept, domain = NO_DOMAIN } = scene
-    const list = listIn(domain.areas)
-    if (list !== undefined) checkCount(list, circles.length / 3)
-    const shares = { known: list && new Map(list.map((share, k) => [kept?.ids[k] ?? k, share])), inserted: [] }
-    const edited = await this.#backend.setCircles(
-      circles,
-      this.#changeTo(domain, shares, areAll ? scene.colors : undefined),
-      kept,
-    )
-    this.#scene = scene
-    this.#colors = edited.colors
-    this.#domain = list === undefined ? domain : { ...domain, ...this.#byId(list) }
-    this.#attributes = scene.attributes ?? NO_ATTRIBUTES
+  async #replaceScene(scene: CircleSet, history: History, areAll = true): Promise<Done> {
+    const { circles, kept, domain = NO_DOMAIN, attributes = NO_ATTRIBUTES } = scene
+    const shares = sharesInOrder(domain, circles.length / 3, kept)
+    const change = domainChange(this.domain, domain, shares, areAll ? scene.colors : undefined)
+    const edited = await this.#backend.setCircles(circles, change, kept)
     this.#lastFormer = this.#lastGesture
-    return edited
-  }
-
-  /** Converts areas from the order of the circles to ids. */
-  #byId(areas: Areas | undefined): Pick<Domain, 'areas'> | undefined {
-    const list = listIn(areas)
-    if (list === undefined) return undefined
-    checkCount(list, this.circles.count)
-    const byId: number[] = []
-    this.circles.ids().forEach((id, k) => {
-      byId[id] = list[k] as number
-    })
-    return { areas: byId }
-  }
-
-  /** The change of domain for the backend. It contains the region only if the region differs. */
-  #changeTo(domain: Domain, fit: Shares, colors?: string): DomainChange | undefined {
-    const { region, lattice, areas } = domain
-    if (domain === NO_DOMAIN && this.#domain === NO_DOMAIN) return colors === undefined ? undefined : { colors }
-    return {
-      region: region === this.#domain.region ? undefined : (region ?? null),
-      lattice: lattice === this.#domain.lattice ? undefined : (lattice ?? null),
-      areSites: areas !== undefined,
-      fit: areas && fit,
-      colors,
-    }
-  }
-
-  /** The areas of the current circles and of the circles that edits insert. */
-  #sharesOf({ areas }: Domain, edits: readonly Edit[]): Shares {
-    const list = listIn(areas)
-    if (list === undefined) return { known: undefined, inserted: [] }
-    const shareOf = (id: number | undefined) => (id === undefined ? undefined : list[id]) ?? Number.NaN
-    return {
-      known: new Map(Array.from(this.circles.ids(), (id) => [id, shareOf(id)])),
-      inserted: edits.flatMap((edit) => (edit.kind === 'insert' ? [shareOf(edit.id)] : [])),
-    }
+    const areas = areasById(domain.areas, this.circles)
+    const byId = areas === undefined ? domain : { ...domain, ...areas }
+    return { edited, change: { scene, colors: edited.colors, domain: byId, attributes, history } }
   }
 
   /** The entry that restores the current circles; empty before the first opening. */
   #before(): Opening[] {
-    if (this.#scene === undefined) return []
+    const { scene, attributes: current, domain: limits, colors } = this.#state
+    if (scene === undefined) return []
     const kept = this.circles.keptIds
     // Animated changes are not recorded.
-    if (!this.#isRecorded) return [{ kind: 'opening', scene: { ...this.#scene, kept } }]
+    if (!this.#isRecorded) return [{ kind: 'opening', scene: { ...scene, kept } }]
     const circles = this.circles.circles()
-    const attributes = this.#attributes === NO_ATTRIBUTES ? undefined : this.#attributes
-    const domain = this.#domain === NO_DOMAIN ? undefined : { ...this.#domain, areas: this.areas }
-    const isSameData = attributes === this.#scene.attributes
-    const isEdited = this.#scene.isEdited || !isSameData || !isSame(circles, this.#scene.circles)
-    const scene = { ...this.#scene, circles, kept, isEdited, attributes, domain, colors: this.#colors }
-    return [{ kind: 'opening', scene }]
+    const attributes = current === NO_ATTRIBUTES ? undefined : current
+    const domain = limits === NO_DOMAIN ? undefined : { ...limits, areas: this.areas }
+    const isSameData = attributes === scene.attributes
+    const isEdited = scene.isEdited || !isSameData || !isSame(circles, scene.circles)
+    return [{ kind: 'opening', scene: { ...scene, circles, kept, isEdited, attributes, domain, colors } }]
   }
 
   /** Whether the history has edits of the current circles. */
   get #isRecorded(): boolean {
-    return [this.#history.done, this.#history.undone].some((side) => side.at(-1)?.kind === 'edits')
+    const { done, undone } = this.#state.history
+    return [done, undone].some((side) => side.at(-1)?.kind === 'edits')
   }
 
   /** The colors of the circles by ascending id; `undefined` if opening the circles anew chooses the same. */
   get colors(): string | undefined {
-    return this.#scene?.colors !== undefined || this.#isRecorded ? this.#colors : undefined
+    const { scene, colors } = this.#state
+    return scene?.colors !== undefined || this.#isRecorded ? colors : undefined
   }
 
   /** Predicts a circle's value after all pending requests, assuming that none is refused. */
@@ -382,7 +300,7 @@ export class Editing {
   }
 
   /** A new request replaces a pending one with the same `key`. Requests without a key are never replaced. */
-  #ask(run: () => Promise<Edited | undefined>, edits: readonly Edit[] = [], key?: string): Promise<Edited | undefined> {
+  #ask(run: Job['run'], edits: readonly Edit[] = [], key?: string): Promise<Edited | undefined> {
     // A pending request may be replaced by the same gesture, but not by a later one.
     if (key !== this.#lastKey) this.#queue.settle()
     this.#lastKey = key
@@ -394,13 +312,16 @@ export class Editing {
   async #do(job: Job): Promise<Edited | undefined> {
     try {
       const before = this.circles
-      const edited = await job.run()
-      this.#colors = edited?.colors ?? this.#colors
-      this.#history = limited(this.#history, this.#mostBytes)
-      if (edited !== undefined) {
-        const { domain, attributes } = this
-        this.#onOutcome({ edited, history: this.#history, domain, attributes, isOpened: this.circles !== before })
-      }
+      const done = await job.run()
+      if (done === undefined) return undefined
+      const { edited, change } = done
+      const isOpened = this.circles !== before
+      this.#store.update((state) => {
+        const colors = edited.colors ?? state.colors
+        const next = stateAfter({ ...state, colors, ...change, edited }, this.circles, isOpened)
+        return { ...next, history: limited(next.history, this.#mostBytes) }
+      })
+      this.#onOutcome({ edited, isOpened })
       return edited
     } catch (error) {
       if (error instanceof Superseded) return undefined
@@ -423,15 +344,6 @@ function madeBy(edits: readonly Edit[]): Map<number, Circle | undefined> {
     if (edit.kind !== 'insert') made.set(edit.id, edit.kind === 'replace' ? (edit.circle as Circle) : undefined)
   }
   return made
-}
-
-function listIn(areas: Areas | undefined): readonly number[] | undefined {
-  return areas === 'equal' ? undefined : areas
-}
-
-/** @throws Refusal */
-function checkCount({ length }: readonly number[], circles: number): void {
-  if (length !== circles) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasForCircles(length, circles))
 }
 
 function isSame(circles: Float64Array, others: Float64Array): boolean {

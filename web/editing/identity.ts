@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The columns that say how a circle is called and colored.
-import type { CircleTable } from '../view/circle-table.ts'
 import { COLOR_COLUMN, NAME_COLUMN } from '../view/identity-columns.ts'
 import type { Name } from '../view/labels.ts'
 import type { OwnColors } from '../view/layers.ts'
-import { type DataColumn, textIn } from './attributes.ts'
+import { type Attributed, type Attributes, type DataColumn, textIn } from './attributes.ts'
 
 /** The columns that are made where there is none. */
 export const NAME = 'name'
@@ -26,15 +25,14 @@ export function namesBy(columns: readonly DataColumn[]): (id: number) => string 
   return (id) => textIn(own?.[id]).trim() || textIn(inFile?.[id]).trim()
 }
 
+/** The name of a circle, or an empty text. */
+export function nameIn({ columns }: Attributes, id: number): string {
+  return namesBy(columns)(id)
+}
+
 /** The column that holds the colors of circles. */
 export function colorColumn(columns: readonly DataColumn[]): DataColumn | undefined {
   return columns.find(({ name }) => COLOR_COLUMN.test(name))
-}
-
-/** Circles with attributes (`Editing`). */
-interface Attributed {
-  readonly circles: CircleTable
-  readonly attributes: { readonly columns: readonly DataColumn[] }
 }
 
 /** The names of circles, by decreasing radius. */

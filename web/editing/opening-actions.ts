@@ -6,7 +6,7 @@ import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { HANDLE_RADIUS } from '../view/overlay.ts'
-import { NO_ATTRIBUTES } from './attributes.ts'
+import { fileAttributes, NO_ATTRIBUTES } from './attributes.ts'
 import { isSameCamera } from './camera-actions.ts'
 import type { CircleSet } from './history.ts'
 import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
@@ -61,7 +61,7 @@ export class OpeningActions extends SelectionActions {
     const hasOther = this.editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
     const isWritten = Array.isArray(areas) || hasOther
     const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
-    const attributes = said.circles && this.editing.fileAttributes
+    const attributes = said.circles && fileAttributes(this.editing)
     const hasCircles = said.circles !== undefined || said.edits !== undefined
     return {
       ...said,

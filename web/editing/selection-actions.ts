@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import type { Box, Circle } from '../lib/index.ts'
 import type { Layers } from '../view/layers.ts'
 import { nextInDirection } from './arranging.ts'
 import { CameraActions } from './camera-actions.ts'
+import { nameIn } from './identity.ts'
 import { type Tool, withSelection } from './state.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
@@ -11,7 +13,7 @@ export class SelectionActions extends CameraActions {
   /** The texts for screen readers. */
   words = ENGLISH_EDITING
   /** A circle within a sentence: its name, or its number. */
-  readonly called = (id: number): string => this.words.called(id, this.editing.nameOf(id))
+  readonly called = (id: number): string => this.words.called(id, nameIn(this.editing.attributes, id))
   #isPanning = false
 
   get tool(): Tool {

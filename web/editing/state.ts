@@ -6,20 +6,21 @@ import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import type { Described, GlobalResults } from '../view/protocol.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
-import type { Outcome } from './editing.ts'
-import { type Degrees, EMPTY_HISTORY, type History } from './history.ts'
+import { type CircleSet, EMPTY_HISTORY, type History } from './history.ts'
 
 /** The state that panels show. It is replaced, never modified. The circles are kept separately, in a `CircleTable`. */
 export interface State {
-  readonly dataSet: string
-  /** Set if the centers of circles are longitudes and latitudes. */
-  readonly degrees: Degrees | undefined
+  /** The opened circles without later edits; `undefined` before the first opening. */
+  readonly scene: CircleSet | undefined
   /** The last result; `undefined` before the first opening. */
   readonly edited: Edited | undefined
   readonly history: History
+  /** The clipping region and the periods, and the areas by id. */
   readonly domain: Domain
   /** The attributes of circles, by their ids. */
   readonly attributes: Attributes
+  /** The colors that tell circles from their neighbors, by ascending id, once they are known (`Edited`). */
+  readonly colors: string | undefined
   /** The current problem in one sentence, or an empty text. */
   readonly problem: string
   /** The remedy for the current problem. */
@@ -61,12 +62,12 @@ export interface Remedy {
 export type Tool = 'select' | 'pan' | 'add' | 'draw'
 
 export const INITIAL_STATE: State = {
-  dataSet: '',
-  degrees: undefined,
+  scene: undefined,
   edited: undefined,
   history: EMPTY_HISTORY,
   domain: NO_DOMAIN,
   attributes: NO_ATTRIBUTES,
+  colors: undefined,
   problem: '',
   remedy: undefined,
   selection: [],
@@ -84,11 +85,15 @@ export const INITIAL_STATE: State = {
   said: { text: '' },
 }
 
+/** The name of the opened data set, or an empty text. */
+export function dataSetName({ scene }: State): string {
+  return scene?.dataSet ?? ''
+}
+
 /** The state after circles were opened or edited. Removed circles leave the selection; an opening clears it. */
-export function stateAfter(state: State, outcome: Outcome, circles: CircleTable): State {
-  const { edited, history, domain, attributes, isOpened } = outcome
+export function stateAfter(state: State, circles: CircleTable, isOpened: boolean): State {
   const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
-  const next = { ...withSelection(state, selection, circles), edited, history, domain, attributes, problem: '' }
+  const next = { ...withSelection(state, selection, circles), problem: '' }
   return isOpened ? { ...next, described: undefined, hovered: undefined } : next
 }
 

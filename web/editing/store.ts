@@ -23,8 +23,9 @@ export function createStore<Value>(initial: Value): Store<Value> {
       const next = change(value)
       if (next === value) return
       value = next
-      if (!isScheduled) nextFrame(tell)
+      if (isScheduled || listeners.size === 0) return
       isScheduled = true
+      nextFrame(tell)
     },
     subscribe(listener) {
       listeners.add(listener)

@@ -3,6 +3,8 @@ import { attributesOfLink } from '../editing/attributes.ts'
 import { Editing } from '../editing/editing.ts'
 import { namesOf, ownColorsOf } from '../editing/identity.ts'
 import { cameraLooking } from '../editing/scene-link.ts'
+import { INITIAL_STATE } from '../editing/state.ts'
+import { createStore } from '../editing/store.ts'
 import { checkOptionNames, isRecord, refuseInput, refuseOption, shown } from '../lib/base/check.ts'
 import { coordinatesOf } from '../lib/base/coordinates.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
@@ -76,6 +78,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   try {
     let problem: Error | undefined
     const editing = new Editing(
+      createStore(INITIAL_STATE),
       computer,
       () => {},
       (error) => {

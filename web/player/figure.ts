@@ -160,8 +160,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
 
   /** Continues the undo history of another figure that showed the same circles. */
   takeUp(past: Past): void {
-    const history = this.editing.takeUp(past)
-    this.store.update((state) => ({ ...state, history }))
+    this.editing.takeUp(past)
   }
 
   /** The step shown during playback. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { columnsOf, NO_ATTRIBUTES } from '../../editing/attributes.ts'
+import { columnsOf, fileAttributes, NO_ATTRIBUTES } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import type { Degrees } from '../../editing/history.ts'
 import type { HowOpened } from '../../editing/opening-actions.ts'
@@ -30,18 +30,19 @@ export class EarthActions {
   }
 
   async #table({ file, unit }: Degrees): Promise<GlobeTable> {
-    const { circles, fileAttributes } = this.#editing
-    const text = await this.#files.call('write', circles.circles(), 'csv', undefined, fileAttributes)
+    const { circles } = this.#editing
+    const text = await this.#files.call('write', circles.circles(), 'csv', undefined, fileAttributes(this.#editing))
     return { name: file, text, unit }
   }
 
   /** Projects the circles to an equal-area map in meters. Undo goes back. */
   async projectToMap({ unit }: Degrees): Promise<HowOpened> {
-    const { circles: table, fileAttributes } = this.#editing
+    const table = this.#editing.circles
     const given = table.circles().map((value, k) => (k % 3 === 2 ? value * METERS[unit] : value))
     try {
       const { circles, center } = mapped(given)
-      const attributes = fileAttributes ? columnsOf(fileAttributes, table.count) : NO_ATTRIBUTES
+      const known = fileAttributes(this.#editing)
+      const attributes = known ? columnsOf(known, table.count) : NO_ATTRIBUTES
       const collection = withRecord(attributes.collection, center)
       const how = await this.#actions.openRead(async () => ({ circles, attributes: { ...attributes, collection } }))
       if (how === 'opened') {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { Attributes } from '../../editing/attributes.ts'
+import { type Attributes, fileAttributes } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import { colorColumn, nameColumn } from '../../editing/identity.ts'
 import type { HowOpened } from '../../editing/opening-actions.ts'
-import type { State } from '../../editing/state.ts'
+import { dataSetName, type State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { idsOf, withIds } from '../../element/check.ts'
 import { goalRings, goalsOf } from '../../element/goals.ts'
@@ -236,7 +236,7 @@ export class FileActions {
       if ('link' in result) return this.#actions.openLink(result.link)
       const { circles, degrees } = result
       // Degrees and other units are no circles of one plane.
-      if (degrees !== undefined && this.#store.get().degrees === undefined) return this.#openRead(async () => result)
+      if (degrees !== undefined && this.#editing.scene?.degrees === undefined) return this.#openRead(async () => result)
       const added = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
       const ids = await this.#actions.add(added, gesture)
       if (ids.length === 0) return 'refused'
@@ -292,9 +292,9 @@ export class FileActions {
   async saveAs(format: SavedFormat): Promise<void> {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
-      const { domain, fileAttributes } = this.#editing
-      const { headings } = this.#editing.scene ?? {}
-      const text = await this.#threads.files.call('write', circles, format, domain, fileAttributes, headings)
+      const { domain, scene } = this.#editing
+      const attributes = fileAttributes(this.#editing)
+      const text = await this.#threads.files.call('write', circles, format, domain, attributes, scene?.headings)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
       if (format === 'cells')
@@ -346,7 +346,7 @@ export class FileActions {
       const size = { width: CARD.width, height: CARD.height - CARD.caption }
       const box = boxOf(this.#editing.circles.box(), this.#editing.domain)
       const camera = fitted(box, size, { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM })
-      const title = labelOf(this.#store.get().dataSet) || 'Voronoi diagram of circles'
+      const title = labelOf(dataSetName(this.#store.get())) || 'Voronoi diagram of circles'
       save(await cardOf(await this.#view.toPNG(1, { camera, size }), title, location.host), `${this.#name}-card.png`)
     })
   }
@@ -466,8 +466,9 @@ export class FileActions {
   /** The current state with the circles themselves, because data sets exist only on this site. */
   #wholeState(): LinkInput {
     const { view, layers, step, method, areas } = this.#actions.linkState() ?? {}
-    const { circles, domain, colors, fileAttributes: attributes } = this.#editing
+    const { circles, domain, colors } = this.#editing
     const { region, lattice } = domain
+    const attributes = fileAttributes(this.#editing)
     return { circles: circles.circles(), attributes, colors, view, layers, step, method, region, lattice, areas }
   }
 
@@ -502,13 +503,13 @@ export class FileActions {
   }
 
   #csv(): Promise<string> {
-    const { circles, fileAttributes } = this.#editing
-    return this.#threads.files.call('write', circles.circles(), 'csv', undefined, fileAttributes)
+    const { circles } = this.#editing
+    return this.#threads.files.call('write', circles.circles(), 'csv', undefined, fileAttributes(this.#editing))
   }
 
   /** The name of saved files: that of the file that was opened, or of the family of random circles. */
   get #name(): string {
-    const { dataSet } = this.#store.get()
+    const dataSet = dataSetName(this.#store.get())
     const file = this.#editing.scene?.file?.replace(/(-cells)?\.[^.]*$/, '') ?? ''
     if (file !== '') return file
     return sourceOf(dataSet) === undefined ? 'circles' : dataSet.replaceAll(':', '-')

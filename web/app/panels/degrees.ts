@@ -61,7 +61,8 @@ export function mountDegrees(
       place,
     )
 
-  store.subscribe(({ degrees }) => {
+  store.subscribe(({ scene }) => {
+    const degrees = scene?.degrees
     if (degrees === shown) return
     shown = degrees
     place.hidden = degrees === undefined

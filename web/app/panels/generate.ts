@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, type TemplateResult } from 'lit/html.js'
-import type { State } from '../../editing/state.ts'
+import { dataSetName, type State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { Float64s } from '../../lib/index.ts'
 import { icon } from '../../player/icon.ts'
@@ -196,7 +196,8 @@ export function mountGenerate(
   `
 
   draw()
-  store.subscribe(({ dataSet }) => {
+  store.subscribe((state) => {
+    const dataSet = dataSetName(state)
     if (dataSet === shown) return
     shown = dataSet
     const source = sourceOf(dataSet)

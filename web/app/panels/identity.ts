@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import type { Editing } from '../../editing/editing.ts'
+import { nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { PageActions } from '../page-actions.ts'
@@ -20,7 +22,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
   const write = () => {
     const id = writing
     writing = undefined
-    if (id !== undefined && name.value.trim() !== editing.nameOf(id)) actions.setName(id, name.value.trim())
+    if (id !== undefined && name.value.trim() !== nameIn(editing.attributes, id)) actions.setName(id, name.value.trim())
   }
   name.addEventListener('change', write)
   name.addEventListener('keydown', (event) => {
@@ -28,7 +30,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
     if (event.key !== 'Escape') return
     event.stopPropagation()
     writing = undefined
-    name.value = editing.nameOf(store.get().selected as number)
+    name.value = nameIn(editing.attributes, store.get().selected as number)
     figure.focus()
   })
   const pick = colorPicker(actions, store)
@@ -40,7 +42,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
     const now = [selected, described?.color, attributes]
     if (selected === undefined || now.every((value, k) => value === shown[k])) return
     shown = now
-    const known = editing.nameOf(selected)
+    const known = nameIn(editing.attributes, selected)
     title.textContent = known || `Circle ${selected}`
     if (writing !== selected) name.value = known
     name.placeholder = `Circle ${selected}`

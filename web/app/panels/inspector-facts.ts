@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render } from 'lit/html.js'
-import { textIn } from '../../editing/attributes.ts'
+import { textIn, valueIn } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
-import { isIdentity } from '../../editing/identity.ts'
+import { isIdentity, nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { Described } from '../../view/protocol.ts'
@@ -31,13 +31,13 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
       data.hidden = others.length === 0
       render(
         others.map(({ name }) => {
-          const text = textIn(editing.valueOf(selected, name))
+          const text = textIn(valueIn(editing.attributes, name, selected))
           return html`<dt title=${name}>${name}</dt><dd title=${text}>${text === '' ? '–' : text}</dd>`
         }),
         data,
       )
     }
-    const number = editing.nameOf(selected) === '' ? '' : `Circle ${selected}`
+    const number = nameIn(editing.attributes, selected) === '' ? '' : `Circle ${selected}`
     const about = [number, placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
     place.hidden = about === ''
     if (place.textContent !== about) place.textContent = about

@@ -36,11 +36,11 @@ export function mountLegend(store: Store<State>, view: View): void {
     legend = answer
     draw()
   }
-  store.subscribe(({ layers, domain, dataSet, edited, history }) => {
+  store.subscribe(({ layers, domain, scene, edited, history }) => {
     // The circles, their limits or the colors were replaced. Edits leave the meaning of colors unchanged.
     const opened = history.done.length + history.undone.length === 0 ? edited : history.done.findLast(isOpening)
     const limits = [layers.maxDistance, domain.region]
-    const now = [layers.cells, layers.column, ...limits, dataSet, opened, edited === undefined]
+    const now = [layers.cells, layers.column, ...limits, scene?.dataSet, opened, edited === undefined]
     if (now.every((value, k) => value === shown[k])) return
     shown = now
     ask()

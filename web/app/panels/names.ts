@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import type { Editing } from '../../editing/editing.ts'
+import { nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { byId } from './by-id.ts'
@@ -24,7 +26,7 @@ export function mountNames(store: Store<State>, editing: Editing): void {
     place()
   })
   store.subscribe(({ hovered }) => {
-    const name = hovered === undefined ? '' : editing.nameOf(hovered)
+    const name = hovered === undefined ? '' : nameIn(editing.attributes, hovered)
     tag.hidden = name === ''
     if (tag.textContent !== name) tag.textContent = name
     place()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render } from 'lit/html.js'
-import type { State } from '../../editing/state.ts'
+import { dataSetName, type State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { dataSetOf } from '../data-sets.ts'
 import { byId } from './by-id.ts'
@@ -35,7 +35,7 @@ export function mountSay(store: Store<State>, open: (file: File) => void): void 
   const show = (state: State) => {
     clearTimeout(timer)
     const hint = fingers.matches ? BY_FINGER : BY_MOUSE
-    const about = dataSetOf(state.dataSet)
+    const about = dataSetOf(dataSetName(state))
     place.hidden = !isEmpty(state) && about === undefined
     if (isEmpty(state)) {
       const how = fingers.matches ? 'Double-tap' : 'Double-click'
@@ -62,10 +62,10 @@ export function mountSay(store: Store<State>, open: (file: File) => void): void 
 
   store.subscribe((state) => {
     if (state.edited === undefined) return
-    const { history, selection, problem, dataSet, step } = state
+    const { history, selection, problem, step } = state
     const isTouched =
       step !== undefined || history.done.at(-1)?.kind === 'edits' || selection.length > 0 || problem !== ''
-    const now = isEmpty(state) ? 'empty' : isTouched ? 'touched' : `${dataSet} ${history.done.length}`
+    const now = isEmpty(state) ? 'empty' : isTouched ? 'touched' : `${dataSetName(state)} ${history.done.length}`
     if (now === shown) return
     const isFirst = shown.startsWith('start ')
     shown = now

@@ -20,7 +20,7 @@ export function mountStatus(store: Store<State>, view: View): void {
 
   store.subscribe((state) => {
     if (state.edited !== edited && state.edited !== undefined) {
-      status.replaceChildren(statusOf(state.edited, state.degrees !== undefined))
+      status.replaceChildren(statusOf(state.edited, state.scene?.degrees !== undefined))
       edited = state.edited
       // Edits are announced in other words.
       if (view.circles !== circles) store.update((state) => ({ ...state, said: { text: status.textContent } }))

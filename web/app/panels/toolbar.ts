@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { State } from '../../editing/state.ts'
+import { dataSetName, type State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { disable } from '../../view/disable.ts'
 import { DATA_SETS, dataSetOf, labelOf, sourceOf } from '../data-sets.ts'
@@ -25,7 +25,9 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
   own.hidden = true
   const more = new Option('More …', MORE)
   dataSet.append(own, ...DATA_SETS.map(({ id, label }) => new Option(label, id)), more)
-  const showChosen = ({ dataSet: name, history, edited }: State) => {
+  const showChosen = (state: State) => {
+    const { history, edited } = state
+    const name = dataSetName(state)
     const isEdited = history.done.at(-1)?.kind === 'edits'
     const label = labelOf(name)
     own.textContent = edited?.counts.circles === 0 ? 'No circles' : nameOf(label, isEdited)
@@ -54,7 +56,7 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
 
   store.subscribe((state) => {
     showChosen(state)
-    again.hidden = sourceOf(state.dataSet)?.kind !== 'family'
+    again.hidden = sourceOf(dataSetName(state))?.kind !== 'family'
     for (const [tool, button] of tools) button.setAttribute('aria-pressed', String(state.tool === tool))
     disable(undo, state.history.done.length === 0, figure)
     disable(redo, state.history.undone.length === 0, figure)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { type DataColumn, isNumeric, numberIn, textIn, valueFrom } from '../../editing/attributes.ts'
+import { type DataColumn, isNumeric, numberIn, textIn, valueFrom, valueIn } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import type { CircleSet } from '../../editing/history.ts'
 import { NAME, nameColumn } from '../../editing/identity.ts'
@@ -157,7 +157,7 @@ export class CircleGrid implements GridContent {
     const id = this.idOf(row)
     const name = this.#columns[column] as Column
     if (name === 'id') return { text: String(id) }
-    if (!isFixed(name)) return cellOf(this.#editing.valueOf(id, dataName(name)))
+    if (!isFixed(name)) return cellOf(valueIn(this.#editing.attributes, dataName(name), id))
     if (!isMeasured(name)) {
       const circle = this.#editing.circles.get(id)
       return circle === undefined ? { text: '' } : { text: narrow(circle[name]), title: String(circle[name]) }
@@ -199,7 +199,7 @@ export class CircleGrid implements GridContent {
 
   written(id: number, column: number): string {
     const name = this.#columns[column] as Column
-    if (!isFixed(name)) return textIn(this.#editing.valueOf(id, dataName(name)))
+    if (!isFixed(name)) return textIn(valueIn(this.#editing.attributes, dataName(name), id))
     return String(this.#editing.circles.get(id)?.[name as Written] ?? '')
   }
 
@@ -352,7 +352,9 @@ export class CircleGrid implements GridContent {
   #keysOf(name: Column): number[] {
     if (isFixed(name)) return []
     const column = this.#editing.attributes.columns.find((column) => column.name === dataName(name))
-    const values = Array.from(this.#editing.circles.ids(), (id) => this.#editing.valueOf(id, dataName(name)))
+    const values = Array.from(this.#editing.circles.ids(), (id) =>
+      valueIn(this.#editing.attributes, dataName(name), id),
+    )
     return column !== undefined && isNumeric(column) ? values.map(numberIn) : ranksOf(values.map(textIn))
   }
 
