@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, type Page } from '@playwright/test'
-import type { Circle } from '../../web/lib/index.ts'
 import { soon } from '../soon.ts'
 import { testOf } from './built-page.ts'
 import type { TwoViews } from './two-views/two-views.ts'
@@ -39,7 +38,7 @@ test('two views on one page know nothing of each other', async ({ opened: page }
   await page.evaluate(() => {
     views.one.setLayers({ hull: true, cells: 'different' })
     views.one.setCamera({ x: 5, y: 5, scale: 10 })
-    views.one.select(1)
+    views.one.select([1])
   })
   await expect(page.locator('#one[aria-busy="false"]')).toBeVisible()
   expect(before.equals(await other.screenshot())).toBe(true)
@@ -94,9 +93,9 @@ test('a view is written as an SVG and as a PNG that look alike, and refuses what
       // The selection is not part of the picture.
       const before = await views.one.toSVG()
       const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
-      views.one.select(0)
-      views.one.choose([views.one.circles.get(0) as Circle, views.one.circles.get(1) as Circle])
+      views.one.select([0])
       await marked
+      views.one.select([0, 1])
       return {
         isUnmarked: before === (await views.one.toSVG()),
         share: different / svg.pixels.length,

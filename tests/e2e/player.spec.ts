@@ -56,7 +56,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await expect(sentence).toContainText('is a vertex')
 
   // The ring of the selected circle, and the steps about it.
-  await page.evaluate(() => playing.view.select(4))
+  await page.evaluate(() => playing.view.select([4]))
   await expect(page.getByRole('img', { name: /^Around circle 4: / })).toBeVisible()
   await page.getByRole('combobox', { name: 'Jump to' }).selectOption('selected')
   await page.getByRole('button', { name: 'Previous match' }).click()

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The actions of a user on circles, and what screen readers hear, in a view without a picture.
+
 import fc from 'fast-check'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { USUAL_RADIUS } from '../../web/editing/camera-actions.ts'
 import { type Camera, NO_PADDING, type Padding, toScreen } from '../../web/view/camera.ts'
 import type { Described } from '../../web/view/protocol.ts'
+import { describedIn } from '../../web/view/view-state.ts'
 import { aTurn, editingSession, sceneOf } from './editing-session.ts'
 import { box } from './shapes.ts'
 
@@ -26,7 +28,10 @@ async function started({ circles = THREE, padding = NO_PADDING }: { circles?: nu
   const describe = (more: Partial<Described>) =>
     store.update((state) => ({
       ...state,
-      described: { id: 0, hiddenBy: undefined, isBounded: true, neighbors: Int32Array.of(), ...more } as Described,
+      highlights: {
+        selected: { id: 0, hiddenBy: undefined, isBounded: true, neighbors: Int32Array.of(), ...more } as Described,
+        hovered: undefined,
+      },
     }))
   const view = fake as typeof fake & { hitAt: (point: { x: number; y: number }, within: number) => unknown }
   view.hitAt = ({ x, y }, within) => {
@@ -199,6 +204,7 @@ describe('selected circles', () => {
 
   it('snap to neighbors, or to the visible grid alone', async () => {
     const { actions, describe, fake } = await started()
+    actions.select([0])
     describe({ neighbors: Int32Array.of(1, 9) })
     const near = { x: 6.9, y: 0, r: 1 }
     expect(actions.snapped(near, 0.5, false)).toEqual({ x: 7, y: 0, r: 1 })
@@ -238,15 +244,15 @@ it('actions are pending until all of them are done', async () => {
   expect(actions.pending).toBeUndefined()
 })
 
-it('a selection clears the former description and problem, unless it is the same', async () => {
+it('a selection clears the former problem, unless it is the same, and shows no description of another circle', async () => {
   const { actions, describe, store } = await started()
   const isClear = (...ids: number[]) => {
     describe({})
     actions.complain('wrong')
     actions.select(ids)
-    return [store.get().described === undefined, store.get().problem === '']
+    return [describedIn(store.get()) === undefined, store.get().problem === '']
   }
-  expect(isClear(0)).toEqual([true, true])
+  expect(isClear(0)).toEqual([false, true])
   expect(isClear(0)).toEqual([false, false])
   for (const ids of [[1], [1, 2], [2, 1], [2]]) expect(isClear(...ids)).toEqual([true, true])
 })

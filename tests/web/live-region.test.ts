@@ -2,9 +2,9 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { mountLiveRegion } from '../../web/editing/live-region.ts'
 import { INITIAL_STATE } from '../../web/editing/state.ts'
-import { createStore } from '../../web/editing/store.ts'
 import { ENGLISH_EDITING } from '../../web/editing/words.ts'
 import type { Described } from '../../web/view/protocol.ts'
+import { createStore } from '../../web/view/store.ts'
 
 let frame = () => {}
 beforeEach(() => {
@@ -51,9 +51,11 @@ function announced(script: string): string[] {
         ...state,
         ...(what === 'say' && { said: { text: one } }),
         ...((what === 'select' || two !== undefined) && {
-          selected: two === 'none' ? undefined : Number(what === 'say' ? two : one),
+          selection: two === 'none' ? [] : [Number(what === 'say' ? two : one)],
         }),
-        ...(what === 'describe' ? { described: described(Number(one), Number(two)) } : {}),
+        ...(what === 'describe'
+          ? { highlights: { selected: described(Number(one), Number(two)), hovered: undefined } }
+          : {}),
       }))
       frame()
     }

@@ -77,12 +77,7 @@ describe('what is opened', () => {
       // The painter says nothing more.
       await quiet()
       unsubscribe()
-      expect([circles(), problem(), page.view.camera, [...scales]]).toEqual([
-        [...FIVE],
-        refusal,
-        camera,
-        [camera.scale],
-      ])
+      expect([circles(), problem(), page.view.camera, [...scales]]).toEqual([[...FIVE], refusal, camera, []])
     },
   )
 

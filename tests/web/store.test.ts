@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { createStore } from '../../web/editing/store.ts'
 import { nextFrame as onNextFrame } from '../../web/view/next-frame.ts'
+import { createStore } from '../../web/view/store.ts'
 
 let frames: (() => void)[] = []
 const nextFrame = () => {

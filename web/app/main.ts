@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { withSelection } from '../editing/state.ts'
 import { loadedOnce } from '../lib/base/loaded-once.ts'
 import { Figure } from '../player/figure.ts'
 import { arrangeAround } from './arrange.ts'
@@ -152,7 +151,7 @@ const menu = loadedOnce(async () => {
 listenToMenu(
   byId('figure', HTMLElement),
   view,
-  () => store.get().circle,
+  () => view.selected,
   async (at) => (await menu().catch(() => complain(NOT_LOADED)))?.(at),
 )
 const played = mountMethod(store, actions)
@@ -193,10 +192,8 @@ if (begun === 'refused') {
   if (how === 'opened') {
     // The problem of the link that these circles replace.
     actions.complain(problem)
-    // A selected circle would seem to be at its position during the animation.
-    drift?.driftAtStart(view, byId('figure', HTMLElement), () =>
-      store.update((state) => withSelection(state, state.selection, view.circles)),
-    )
+    // Panels show the numbers of a selected circle, which has moved.
+    drift?.driftAtStart(view, byId('figure', HTMLElement), () => store.update((state) => ({ ...state })))
   }
   figure.whenPainted().then(() => firstPicture?.remove())
 } else {

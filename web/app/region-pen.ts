@@ -2,11 +2,11 @@
 import type { EditorActions } from '../editing/editor-actions.ts'
 import { ARROWS } from '../editing/keyboard.ts'
 import type { State } from '../editing/state.ts'
-import type { Store } from '../editing/store.ts'
 import type { Point } from '../lib/index.ts'
 import { isDissolved, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ringsOf } from '../view/domain.ts'
 import type { SketchPhase } from '../view/gestures.ts'
+import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 
 /**

@@ -3,11 +3,11 @@ import type { Box, Circle, Point } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toPlane, toScreen, zoomed } from '../view/camera.ts'
 import { boxOf } from '../view/domain.ts'
+import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import type { Editing } from './editing.ts'
 import { cameraLooking, LARGEST_ZOOM, SMALLEST_ZOOM } from './scene-link.ts'
 import type { State } from './state.ts'
-import type { Store } from './store.ts'
 
 /** Zoom factor of a button or key. */
 const ZOOM_STEP = 1.5

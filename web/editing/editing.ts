@@ -6,12 +6,12 @@ import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { DomainChange } from '../view/protocol.ts'
 import { Superseded } from '../view/refusal.ts'
 import type { Edited } from '../view/scene-client.ts'
+import type { Store } from '../view/store.ts'
 import { type Attributes, NO_ATTRIBUTES, withValues } from './attributes.ts'
 import { areasById, areasInOrder, domainChange, sharesInOrder, sharesOf } from './domain-change.ts'
 import { type CircleSet, EMPTY_HISTORY, type History, limited, MOST_BYTES, type Opening, record } from './history.ts'
 import { PackedSteps } from './packed-steps.ts'
 import { type State, stateAfter } from './state.ts'
-import type { Store } from './store.ts'
 
 /** The backend that computes diagrams: a view. */
 export interface DiagramBackend {

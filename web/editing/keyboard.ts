@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { roundStep } from '../view/round-step.ts'
+import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import type { EditorActions } from './editor-actions.ts'
 import type { State } from './state.ts'
-import type { Store } from './store.ts'
 
 /** Step of an arrow key in pixels. Shift enlarges it, Alt reduces it. */
 const STEP = 4

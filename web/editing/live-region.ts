@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import type { Store } from '../view/store.ts'
+import { describedIn, selectedIn } from '../view/view-state.ts'
 import { describeCell, type Speech } from './describe-cell.ts'
 import type { State } from './state.ts'
-import type { Store } from './store.ts'
 
 /** Delay without further changes before an announcement, in milliseconds. Drags are announced at their end. */
 const REST = 250
@@ -19,10 +20,12 @@ export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: 
   /** The announced description of the selected circle. */
   let told = ''
 
-  const descriptionOf = ({ selected, described }: State) =>
-    described !== undefined && described.id === selected ? describeCell(described, speech)[0] : ''
+  const descriptionOf = (state: State) => {
+    const described = describedIn(state)
+    return described === undefined ? '' : describeCell(described, speech)[0]
+  }
   const say = () => {
-    const { selected } = store.get()
+    const selected = selectedIn(store.get())
     const description = descriptionOf(store.get())
     const texts = done === undefined ? [] : [done.text]
     if (selected !== undefined && description !== '' && description !== told) {
@@ -34,15 +37,17 @@ export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: 
     if (texts.length > 0) said.replaceChildren(texts.join('. '))
   }
   store.subscribe((state) => {
-    if (state.selected !== before.selected) told = ''
+    const selected = selectedIn(state)
+    const isSelected = selected !== selectedIn(before)
+    if (isSelected) told = ''
     const isAction = state.said !== before.said
-    if (isAction) done = { text: state.said.text, id: state.selected }
-    const isOther = isAction || state.selected !== before.selected || state.described !== before.described
+    if (isAction) done = { text: state.said.text, id: selected }
+    const isOther = isAction || isSelected || state.highlights.selected !== before.highlights.selected
     before = state
     if (!isOther) return
     clearTimeout(timer)
     // The description of a newly selected circle arrives a moment later. Waiting for it allows one announcement for
     // both.
-    if (state.selected === undefined || state.described?.id === state.selected) timer = setTimeout(say, REST)
+    if (selected === undefined || describedIn(state) !== undefined) timer = setTimeout(say, REST)
   })
 }

@@ -2,10 +2,11 @@
 
 import type { Box, Circle } from '../lib/index.ts'
 import type { Layers } from '../view/layers.ts'
+import { describedIn, selectedIn } from '../view/view-state.ts'
 import { nextInDirection } from './arranging.ts'
 import { CameraActions } from './camera-actions.ts'
 import { nameIn } from './identity.ts'
-import { type Tool, withSelection } from './state.ts'
+import type { Tool } from './state.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
 /** A user's choice of circles, tools and layers, and what screen readers hear of it. */
@@ -60,7 +61,7 @@ export class SelectionActions extends CameraActions {
   select(ids: readonly number[]): void {
     this.store.update((state) => {
       if (ids.length === state.selection.length && ids.every((id, k) => id === state.selection[k])) return state
-      return { ...withSelection(state, ids, this.editing.circles), described: undefined, problem: '' }
+      return { ...state, selection: ids, problem: '' }
     })
   }
 
@@ -108,14 +109,15 @@ export class SelectionActions extends CameraActions {
 
   /** Selects the neighbor in a direction of length 1. */
   selectNeighbor(direction: readonly [number, number]): void {
-    const { circle } = this.store.get()
+    const selected = selectedIn(this.store.get())
+    const circle = selected === undefined ? undefined : this.editing.circles.get(selected)
     const next = circle === undefined ? undefined : nextInDirection(circle, this.neighbors(), direction)
     if (next !== undefined) this.goTo(next.id)
   }
 
   /** The neighbors of the selected circles that are not selected. */
   protected neighbors(): (Circle & { id: number })[] {
-    const ids = this.store.get().described?.neighbors ?? []
+    const ids = describedIn(this.store.get())?.neighbors ?? []
     return [...ids].flatMap((id) => {
       const circle = this.editing.circles.get(id)
       return circle === undefined ? [] : [{ ...circle, id }]

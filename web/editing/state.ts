@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle } from '../lib/index.ts'
 import type { CircleTable } from '../view/circle-table.ts'
 import { type Domain, NO_DOMAIN } from '../view/domain.ts'
-import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
-import type { Described, GlobalResults } from '../view/protocol.ts'
 import type { Edited } from '../view/scene-client.ts'
+import { INITIAL_VIEW, type ViewState } from '../view/view-state.ts'
 import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
 import { type CircleSet, EMPTY_HISTORY, type History } from './history.ts'
 
 /** The state that panels show. It is replaced, never modified. The circles are kept separately, in a `CircleTable`. */
-export interface State {
+export interface State extends ViewState {
   /** The opened circles without later edits; `undefined` before the first opening. */
   readonly scene: CircleSet | undefined
   /** The last result; `undefined` before the first opening. */
@@ -25,19 +23,6 @@ export interface State {
   readonly problem: string
   /** The remedy for the current problem. */
   readonly remedy: Remedy | undefined
-  /** The ids of selected circles, the newest last. */
-  readonly selection: readonly number[]
-  /** The selected circle's id, if exactly one is selected. */
-  readonly selected: number | undefined
-  /** The selected circle's current values. */
-  readonly circle: Circle | undefined
-  /** The description of the selected circle, which arrives later. */
-  readonly described: Described | undefined
-  readonly hovered: number | undefined
-  /** The visible layers. */
-  readonly layers: Layers
-  /** Results for layers that depend on all circles, once computed. */
-  readonly found: GlobalResults | undefined
   /** The step of playback, which the player shows and changes here; `undefined` if no method is played. */
   readonly step: number | undefined
   /** The program line of the step, while the trace of changed circles is loading and the step has no number yet. */
@@ -62,6 +47,7 @@ export interface Remedy {
 export type Tool = 'select' | 'pan' | 'add' | 'draw'
 
 export const INITIAL_STATE: State = {
+  ...INITIAL_VIEW,
   scene: undefined,
   edited: undefined,
   history: EMPTY_HISTORY,
@@ -70,13 +56,6 @@ export const INITIAL_STATE: State = {
   colors: undefined,
   problem: '',
   remedy: undefined,
-  selection: [],
-  selected: undefined,
-  circle: undefined,
-  described: undefined,
-  hovered: undefined,
-  layers: DEFAULT_LAYERS,
-  found: undefined,
   step: undefined,
   stage: undefined,
   method: undefined,
@@ -92,14 +71,12 @@ export function dataSetName({ scene }: State): string {
 
 /** The state after circles were opened or edited. Removed circles leave the selection; an opening clears it. */
 export function stateAfter(state: State, circles: CircleTable, isOpened: boolean): State {
-  const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
-  const next = { ...withSelection(state, selection, circles), problem: '' }
-  return isOpened ? { ...next, described: undefined, hovered: undefined } : next
-}
-
-/** The state with a selection of circles at their current values. */
-export function withSelection(state: State, selection: readonly number[], circles: CircleTable): State {
-  const selected = selection.length === 1 ? selection[0] : undefined
-  const circle = selected === undefined ? undefined : circles.get(selected)
-  return { ...state, selection, selected, circle }
+  const isGone = (id: number) => circles.get(id) === undefined
+  if (isOpened) return { ...state, selection: [], hovered: undefined, problem: '' }
+  const { selection } = state
+  return {
+    ...state,
+    selection: selection.some(isGone) ? selection.filter((id) => !isGone(id)) : selection,
+    problem: '',
+  }
 }

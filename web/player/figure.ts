@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { editView } from '../editing/edited-view.ts'
+import { mountEdited } from '../editing/edited-view.ts'
 import type { Editing, Outcome, Past } from '../editing/editing.ts'
 import type { EditorActions } from '../editing/editor-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
@@ -7,15 +7,14 @@ import { mountLiveRegion } from '../editing/live-region.ts'
 import type { OpenRequest } from '../editing/opening-actions.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
 import type { State } from '../editing/state.ts'
-import type { Store } from '../editing/store.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
 import type { FigureLoadOptions } from '../view/load.ts'
-import { mount } from '../view/mount.ts'
 import { nextFrame } from '../view/next-frame.ts'
 import { type Listening, listenToPointer } from '../view/pointer.ts'
+import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import { Stepping } from './stepping.ts'
 import type { PlayerWords } from './words.ts'
@@ -67,8 +66,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
 
   constructor({ figure, around, player, said }: FigureElements, options: FigureOptions<Actions>) {
     const { load, scrolls = false, keys = {}, onoutcome, onproblem, played, onstep, words } = options
-    const view = mount(figure, load)
-    const { store, editing } = editView(view, onoutcome, (error) => {
+    const { view, store, editing } = mountEdited(figure, load, onoutcome, (error) => {
       // A disposed figure reports no errors.
       if (this.#keys.signal.aborted) return
       const problem = problemOf(error, editing.scene !== undefined, words?.()?.refusals)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { EditorActions } from '../editing/editor-actions.ts'
 import type { State } from '../editing/state.ts'
-import type { Store } from '../editing/store.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
+import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import type { Player } from './player.ts'
 import type { PlayerWords } from './words.ts'

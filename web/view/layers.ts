@@ -184,6 +184,11 @@ export function repeatingLayers(layers: PaintedLayers): PaintedLayers {
   return { ...layers, ...method, hull, delaunay, ordinary, power, largestDisc, path, missedEdges }
 }
 
+/** Whether layers differ only in their path, which is not painted by the thread. */
+export function isPathOnly(layers: Layers, before: Layers): boolean {
+  return (Object.keys(layers) as (keyof Layers)[]).every((name) => name === 'path' || layers[name] === before[name])
+}
+
 /** Whether a layer of the touching disc method is visible. */
 export function isMethodShown(layers: Layers): boolean {
   return layers.missedEdges || METHOD_LAYERS.some((name) => layers[name])

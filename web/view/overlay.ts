@@ -3,6 +3,7 @@ import { at } from '../lib/base/diagram-data.ts'
 import type { Box, PathSink, Point } from '../lib/index.ts'
 import { axesOf, NUMBER_SIZE } from './axes.ts'
 import type { Padding } from './camera.ts'
+import type { Chosen } from './chosen.ts'
 import { LABEL_SIZE, type Label, type Names, placed } from './labels.ts'
 import type { Layers, OverlayLayer } from './layers.ts'
 import { replay } from './painter/commands.ts'
@@ -15,12 +16,6 @@ import { addSegment } from './painter/segment-path.ts'
 import type { Described, GlobalResults, Highlights, Touching, Trial } from './protocol.ts'
 import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
-
-/** The selected circles, x, y and r each, and their bounding box. */
-export interface Chosen {
-  readonly circles: Float64Array
-  readonly box: Box
-}
 
 /** The corners of a rubber band, in pixels. */
 export interface SelectionRectangle {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Box, Circle, Edit, Point } from '../lib/index.ts'
+import type { Circle, Edit, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
-import { boundingBox, type Camera, NO_PADDING, type Padding, type Size, toScreen } from './camera.ts'
+import { type Camera, NO_PADDING, type Padding, type Size, toScreen } from './camera.ts'
+import { type Chosen, chosenOf } from './chosen.ts'
 import type { CircleTable, Hit, KeptIds } from './circle-table.ts'
 import type { Name, Names } from './labels.ts'
 import {
   checkLayers,
   DEFAULT_LAYERS,
+  isPathOnly,
   type Layers,
   type OverlayLayer,
   type OwnColors,
@@ -15,7 +17,6 @@ import {
 } from './layers.ts'
 import { scaleOnScreen } from './on-screen.ts'
 import {
-  type Chosen,
   drawOverlay,
   HANDLE_RADIUS,
   handleOf,
@@ -32,8 +33,10 @@ import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, GlobalResults, Highlights, Questions, Touching, Trial } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
 import type { Answer, Edited, Lost, SceneClient } from './scene-client.ts'
+import type { Store } from './store.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 import { svgPicture, titlesOf } from './svg-picture.ts'
+import { NO_HIGHLIGHTS, selectedIn, type ViewState } from './view-state.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const REST = 80
@@ -42,15 +45,17 @@ const REST = 80
 const LEAST_ENLARGED = 1.05
 const MOST_SHARPENED = 4
 
+/** The parts of the state that the overlay shows. */
+const DRAWN_ABOVE = ['camera', 'layers', 'selection', 'highlights', 'found'] as const
+
 const notDrawn = () => new Failure((words) => words.notDrawn)
 
 /** The events of a view. */
 export interface ViewEvents {
-  /** The highlighted circles and their descriptions have changed. */
+  /** The descriptions of the highlighted circles have arrived. */
   readonly marked: Highlights
   /** The global results are known, or no longer valid (`undefined`). */
   readonly found: GlobalResults | undefined
-  /** The layers have changed, or an end of the path was dragged. */
   readonly layers: Layers
   /** Whether anything of the diagram is drawn. */
   readonly diagram: boolean
@@ -63,8 +68,8 @@ export interface ViewEvents {
   readonly changed: Edited
   /** A change was refused, with a `CircleVoronoiError`, or another error if the thread failed. */
   readonly refused: Error
-  /** Drawing failed, and a new thread continues. `marks`: the highlights were dropped. */
-  readonly failed: { readonly error: Error; readonly marks: boolean }
+  /** Drawing failed, and a new thread continues. */
+  readonly failed: Error
 }
 
 /** A part of the plane, and the size in which to export it. */
@@ -80,24 +85,22 @@ export class View {
   readonly #overlay: HTMLCanvasElement
   readonly #picture = new BasePicture()
   readonly #scene: SceneClient
+  readonly #store: Store<ViewState>
   readonly #observer: ResizeObserver
   #style: Style
-  #camera: Camera = { x: 0, y: 0, scale: 1 }
   #size: Size = { width: 0, height: 0 }
   #frame = 0
   #rest: ReturnType<typeof setTimeout> | undefined
-  #marks: Highlights = { selected: undefined, hovered: undefined }
-  #layers = DEFAULT_LAYERS
   /** The scale of the last paint request, and the scale of the highlighted outlines. */
   #lookedAt = 1
   #outlinedAt = 1
-  #found: GlobalResults | undefined
   #touching: Touching | undefined
   /** The position of the last request for a disc. Answers for older positions are ignored. */
   #touchedAt: Point | undefined
   #trial: Trial | undefined
   #lastTrial = 0
-  #chosen: Chosen | undefined
+  /** The selected circles as they are drawn; `undefined` if they have changed since. */
+  #chosen: { readonly drawn: Chosen | undefined } | undefined
   #band: SelectionRectangle | undefined
   #sketch: Float64Array | undefined
   #above: readonly OverlayLayer[] = []
@@ -119,7 +122,8 @@ export class View {
   readonly #watching = new AbortController()
 
   /** `ondispose` is called when the view is disposed of. */
-  constructor(container: HTMLElement, painter: Painter, ondispose = () => {}) {
+  constructor(container: HTMLElement, painter: Painter, store: Store<ViewState>, ondispose = () => {}) {
+    this.#store = store
     this.#ondispose = ondispose
     container.classList.add('circle-voronoi')
     this.#container = container
@@ -137,9 +141,10 @@ export class View {
         this.#baseChanged = true
         this.#schedule()
       },
-      marked: (marks) => {
-        this.#outline(marks)
-        this.#tell('marked', marks)
+      marked: (highlights) => {
+        this.#outlinedAt = this.#lookedAt
+        this.#update({ highlights })
+        this.#tell('marked', highlights)
       },
       found: (found) => this.#findingChanges(found),
       failed: (error, lost) => this.#drawingFailed(error, lost),
@@ -148,6 +153,36 @@ export class View {
     this.#observer.observe(container)
     this.#watchSurroundings()
     this.#resize()
+    const { signal } = this.#watching
+    signal.addEventListener(
+      'abort',
+      store.watch((state, before) => this.#follow(state, before)),
+    )
+    let [selected, hovered]: (number | undefined)[] = []
+    const mark = (state: ViewState) => {
+      if (selectedIn(state) === selected && state.hovered === hovered) return
+      selected = selectedIn(state)
+      hovered = state.hovered
+      this.#scene.mark(selected, hovered)
+    }
+    signal.addEventListener('abort', store.subscribe(mark))
+  }
+
+  /** Changes the state. `#follow` draws it. */
+  #update(change: Partial<ViewState>): void {
+    this.#store.update((state) => ({ ...state, ...change }))
+  }
+
+  /** Draws a new state, or asks the thread for what it lacks. */
+  #follow(state: ViewState, before: ViewState): void {
+    if (state.selection !== before.selection) this.#chosen = undefined
+    if (state.layers !== before.layers) {
+      if (isPathOnly(state.layers, before.layers)) this.#scene.findAgain(this.#drawnLayers)
+      else this.#drawLayers()
+      this.#tell('layers', state.layers)
+    }
+    if (state.camera !== before.camera) this.#cameraChanges()
+    if (DRAWN_ABOVE.some((name) => state[name] !== before[name])) this.#overlayChanges()
   }
 
   /**
@@ -194,7 +229,7 @@ export class View {
   }
 
   get camera(): Camera {
-    return this.#camera
+    return this.#store.get().camera
   }
 
   get size(): Size {
@@ -202,11 +237,13 @@ export class View {
   }
 
   setCamera(camera: Camera): void {
-    this.#camera = camera
+    this.#update({ camera })
+  }
+
+  #cameraChanges(): void {
+    const { camera } = this
     this.#tell('camera', camera)
     this.#baseChanged = true
-    this.#overlayChanged = true
-    this.#schedule()
     if (this.#picture.isSharp(camera, this.#pixelRatio)) {
       this.#see()
     } else {
@@ -237,7 +274,7 @@ export class View {
 
   /** The layers. They are not drawn if only circles are shown (`hasDiagram`). */
   get layers(): Layers {
-    return this.#layers
+    return this.#store.get().layers
   }
 
   /** Whether anything of the diagram is drawn besides circles. */
@@ -248,7 +285,7 @@ export class View {
   set hasDiagram(hasDiagram: boolean) {
     if (hasDiagram === this.#hasDiagram) return
     this.#hasDiagram = hasDiagram
-    this.#drawLayers(this.#layers)
+    this.#drawLayers()
     this.#tell('diagram', hasDiagram)
   }
 
@@ -257,36 +294,29 @@ export class View {
     this.#names = names
     if (ownColors !== this.#ownColors) {
       this.#ownColors = ownColors
-      this.#drawLayers(this.#layers)
+      this.#drawLayers()
     }
     this.#overlayChanges()
   }
 
   get #drawnLayers(): PaintedLayers {
-    return this.#drawn(this.#layers)
-  }
-
-  #drawn(layers: Layers): PaintedLayers {
-    const shown = this.#hasDiagram ? layers : withoutDiagram(layers)
+    const shown = this.#hasDiagram ? this.layers : withoutDiagram(this.layers)
     return this.#ownColors === undefined ? shown : { ...shown, ownColors: this.#ownColors }
   }
 
   /**
    * Changes some layers; the others stay.
-   * @throws CircleVoronoiError `badInput` if a layer is invalid, and the browser's error if it cannot be sent to a
-   * thread. The layers stay unchanged
+   * @throws CircleVoronoiError `badInput` if a layer is invalid. The layers stay unchanged
    */
   setLayers(change: Partial<Layers>): void {
-    const layers = { ...this.#layers, ...change }
+    const layers = { ...this.layers, ...change }
     checkLayers(layers)
-    this.#drawLayers(layers)
-    this.#layers = layers
-    this.#tell('layers', layers)
+    this.#update({ layers })
   }
 
-  #drawLayers(layers: Layers): void {
-    this.#scene.setLayers(this.#drawn(layers))
-    const request = this.#isShown ? this.#picture.again(this.#camera, this.#size) : undefined
+  #drawLayers(): void {
+    this.#scene.setLayers(this.#drawnLayers)
+    const request = this.#isShown ? this.#picture.again(this.camera, this.#size) : undefined
     if (request !== undefined) this.#scene.look(request, this.#style)
     this.#overlayChanges()
   }
@@ -319,19 +349,15 @@ export class View {
     const { path } = this.#drawnLayers
     if (path === undefined) return undefined
     return (['to', 'from'] as const).find((end) => {
-      const { x, y } = toScreen(this.#camera, this.#size, path[end])
+      const { x, y } = toScreen(this.camera, this.#size, path[end])
       return Math.hypot(x - point.x, y - point.y) < HANDLE_RADIUS + slack
     })
   }
 
   /** Moves an end of the path to a point of the plane. */
   movePathEnd(end: 'from' | 'to', point: Point): void {
-    const { path } = this.#layers
-    if (path === undefined) return
-    this.#layers = { ...this.#layers, path: { ...path, [end]: point } }
-    this.#scene.findAgain(this.#drawn(this.#layers))
-    this.#overlayChanges()
-    this.#tell('layers', this.#layers)
+    const { path } = this.layers
+    if (path !== undefined) this.#update({ layers: { ...this.layers, path: { ...path, [end]: point } } })
   }
 
   /** Returns the visible part, or another one, as SVG text in the colors for white paper. */
@@ -385,27 +411,23 @@ export class View {
 
   /** The pixel of a point of the plane. */
   toScreen(point: Point): Point {
-    return toScreen(this.#camera, this.#size, point)
+    return toScreen(this.camera, this.#size, point)
   }
 
-  /** Highlights one circle as selected, or none. */
-  select(id: number | undefined): void {
-    this.mark(id, undefined)
+  /** The selected circle, if exactly one is selected. */
+  get selected(): Circle | undefined {
+    const id = selectedIn(this.#store.get())
+    return id === undefined ? undefined : this.circles.get(id)
   }
 
-  /** Highlights the selected and the hovered circle. */
-  mark(selected: number | undefined, hovered: number | undefined): void {
-    this.#scene.mark(selected, hovered)
+  select(ids: readonly number[]): void {
+    this.#update({ selection: ids })
   }
 
-  /** Shows the current selection with a resize handle. Several selected circles are highlighted each. */
-  choose(circles: readonly Circle[]): void {
-    const flat = Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
-    const [first, ...others] = circles
-    // The handle of a single circle is at its rim.
-    const box = first !== undefined && others.length === 0 ? boxInCircle(first) : boundingBox(flat)
-    this.#chosen = first && { circles: flat, box }
-    this.#overlayChanges()
+  /** The selected circles as they are drawn. */
+  get #drawnSelection(): Chosen | undefined {
+    this.#chosen ??= { drawn: chosenOf(this.#store.get().selection.flatMap((id) => this.discOf(id) ?? [])) }
+    return this.#chosen.drawn
   }
 
   set band(band: SelectionRectangle | undefined) {
@@ -427,9 +449,10 @@ export class View {
 
   /** The center of scaling, if the selection's handle is at a pixel. */
   handleAt(point: Point, slack: number): Point | undefined {
-    if (this.#chosen === undefined) return undefined
-    const { box } = this.#chosen
-    const { x, y } = handleOf(box, (corner) => toScreen(this.#camera, this.#size, corner))
+    const chosen = this.#drawnSelection
+    if (chosen === undefined) return undefined
+    const { box } = chosen
+    const { x, y } = handleOf(box, (corner) => toScreen(this.camera, this.#size, corner))
     if (Math.hypot(x - point.x, y - point.y) > HANDLE_RADIUS + slack) return undefined
     return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 }
   }
@@ -517,9 +540,9 @@ export class View {
 
   #see(): void {
     if (!this.#isShown || this.#size.width === 0 || this.#size.height === 0) return
-    const request = this.#picture.see(this.#camera, this.#size, this.#pixelRatio)
+    const request = this.#picture.see(this.camera, this.#size, this.#pixelRatio)
     if (request === undefined) return
-    this.#lookedAt = this.#camera.scale
+    this.#lookedAt = this.camera.scale
     this.#scene.look(request, this.#style)
   }
 
@@ -534,10 +557,10 @@ export class View {
     this.#checkScale()
     if (this.#baseChanged) {
       const context = this.#base.getContext('2d') as CanvasRenderingContext2D
-      this.#picture.draw(context, this.#camera, this.#size, this.#pixelRatio)
+      this.#picture.draw(context, this.camera, this.#size, this.#pixelRatio)
       this.#baseChanged = false
     }
-    this.#container.ariaBusy = String(!this.#picture.isWhole || !this.#picture.isSharp(this.#camera, this.#pixelRatio))
+    this.#container.ariaBusy = String(!this.#picture.isWhole || !this.#picture.isSharp(this.camera, this.#pixelRatio))
     if (this.#overlayChanged) this.#drawOverlay()
     this.#overlayChanged = false
   }
@@ -546,10 +569,10 @@ export class View {
   get #standingOut(): OverlayHighlights {
     if (matchMedia('print').matches) return NOTHING_STANDS_OUT
     return {
-      marks: this.#marks,
+      marks: this.#store.get().highlights,
       touching: this.#touching,
       trial: this.#trial,
-      chosen: this.#chosen,
+      chosen: this.#drawnSelection,
       band: this.#band,
       sketch: this.#sketch,
     }
@@ -565,7 +588,7 @@ export class View {
     const context = this.#overlay.getContext('2d') as CanvasRenderingContext2D
     const { width, height } = this.#overlay
     const ratio = this.#pixelRatio
-    const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * ratio, width, height }
+    const frame = { x: this.camera.x, y: this.camera.y, scale: this.camera.scale * ratio, width, height }
     context.clearRect(0, 0, width, height)
     drawOverlay(new CanvasDrawing(context), frame, ratio, this.#style, above)
   }
@@ -576,11 +599,11 @@ export class View {
 
   #aboveOf(standingOut: OverlayHighlights, covered: Padding): OverlayContent {
     // Outlines of cells were clipped to the old viewport, and are too coarse after zooming in.
-    const enlarged = this.#camera.scale / this.#outlinedAt
+    const enlarged = this.camera.scale / this.#outlinedAt
     const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
     const marks = hasOutlines ? standingOut.marks : withoutCells(standingOut.marks)
     const [layers, names] = [this.#drawnLayers, this.#named]
-    return { found: this.#found, layers, names, covered, above: this.#above, ...standingOut, marks }
+    return { found: this.#store.get().found, layers, names, covered, above: this.#above, ...standingOut, marks }
   }
 
   get #named(): Names {
@@ -589,21 +612,14 @@ export class View {
 
   /** Continues with a new thread, without the possible cause of the failure. */
   #drawingFailed(error: Error, { marks, layers }: Lost): void {
-    if (marks) this.#marks = { selected: undefined, hovered: undefined }
+    // The failed request may have been one for highlights.
+    if (marks) this.#update({ highlights: NO_HIGHLIGHTS, selection: [], hovered: undefined })
     if (layers) this.setLayers(DEFAULT_LAYERS)
-    this.#overlayChanges()
-    this.#tell('failed', { error, marks })
-  }
-
-  #outline(marks: Highlights): void {
-    this.#marks = marks
-    this.#outlinedAt = this.#lookedAt
-    this.#overlayChanges()
+    this.#tell('failed', error)
   }
 
   #findingChanges(found: GlobalResults | undefined): void {
-    this.#found = found
-    this.#overlayChanges()
+    if (found !== this.#store.get().found) this.#update({ found })
     this.#tell('found', found)
   }
 
@@ -619,7 +635,11 @@ export class View {
   /** Reports the result of an edit as an event, too. */
   #told(edited: Promise<Edited>): Promise<Edited> {
     edited.then(
-      (outcome) => this.#tell('changed', outcome),
+      (outcome) => {
+        this.#chosen = undefined
+        this.#overlayChanges()
+        this.#tell('changed', outcome)
+      },
       (error: Error) => {
         if (!(error instanceof Superseded)) this.#tell('refused', error)
       },
@@ -653,12 +673,6 @@ export class View {
     }
     watchPixels()
   }
-}
-
-/** The square whose corners lie on a circle. */
-function boxInCircle({ x, y, r }: Circle): Box {
-  const half = r * Math.SQRT1_2
-  return { minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }
 }
 
 function withoutCells({ selected, hovered }: Highlights): Highlights {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { editView } from '../../../web/editing/edited-view.ts'
+import { mountEdited } from '../../../web/editing/edited-view.ts'
 import { EditorActions } from '../../../web/editing/editor-actions.ts'
 import { mount } from '../../../web/view/mount.ts'
 import { listenToPointer } from '../../../web/view/pointer.ts'
@@ -9,8 +9,7 @@ const circles = Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5)
 const nothing = () => {}
 const edited = async (id: string) => {
   const container = document.getElementById(id) as HTMLElement
-  const view = mount(container)
-  const { store, editing } = editView(view, nothing, nothing)
+  const { view, store, editing } = mountEdited(container, undefined, nothing, nothing)
   const actions = new EditorActions(store, editing, view, () => ({ top: 16, right: 16, bottom: 16, left: 16 }))
   listenToPointer(container, view, actions)
   await actions.open(async () => ({ circles, dataSet: '', isEdited: false }))

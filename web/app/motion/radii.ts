@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { Edit } from '../../lib/index.ts'
+import type { Store } from '../../view/store.ts'
 
 interface Scaling {
   readonly gesture: number

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { Point } from '../../lib/index.ts'
 import { toPlane } from '../../view/camera.ts'
+import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, type TemplateResult } from 'lit/html.js'
 import { dataSetName, type State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { Float64s } from '../../lib/index.ts'
 import { icon } from '../../player/icon.ts'
 import { ringsOf } from '../../view/domain.ts'
 import { DICE, PICTURE } from '../../view/icons.ts'
 import { parsedSvg } from '../../view/parsed-svg.ts'
+import type { Store } from '../../view/store.ts'
 import { DATA_SETS, type DataSet, dataSetOf, loadDataSet, MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
 import type { FilesClient } from '../files/files-client.ts'
 import type { Catalogue, Family, Figure, Pictured, Recipe } from '../generators/generators.ts'

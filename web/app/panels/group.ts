@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render, type TemplateResult } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import { icon } from '../../player/icon.ts'
 import { CLOSE } from '../../view/icons.ts'
+import type { Store } from '../../view/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'

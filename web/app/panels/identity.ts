@@ -3,7 +3,8 @@
 import type { Editing } from '../../editing/editing.ts'
 import { nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
+import type { Store } from '../../view/store.ts'
+import { describedIn, selectedIn } from '../../view/view-state.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
@@ -17,7 +18,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
   /** The circle whose name is being written. */
   let writing: number | undefined
   name.addEventListener('input', () => {
-    writing = store.get().selected
+    writing = selectedIn(store.get())
   })
   const write = () => {
     const id = writing
@@ -30,7 +31,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
     if (event.key !== 'Escape') return
     event.stopPropagation()
     writing = undefined
-    name.value = nameIn(editing.attributes, store.get().selected as number)
+    name.value = nameIn(editing.attributes, selectedIn(store.get()) as number)
     figure.focus()
   })
   const pick = colorPicker(actions, store)
@@ -38,7 +39,9 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
   color.addEventListener('change', pick.change)
 
   let shown: readonly unknown[] = []
-  store.subscribe(({ selected, described, attributes }) => {
+  store.subscribe((state) => {
+    const { attributes } = state
+    const [selected, described] = [selectedIn(state), describedIn(state)]
     const now = [selected, described?.color, attributes]
     if (selected === undefined || now.every((value, k) => value === shown[k])) return
     shown = now

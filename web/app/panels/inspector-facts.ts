@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { html, nothing, render } from 'lit/html.js'
 import { textIn, valueIn } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import { isIdentity, nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { Described } from '../../view/protocol.ts'
 import { short } from '../../view/short.ts'
+import type { Store } from '../../view/store.ts'
+import { describedIn, selectedIn } from '../../view/view-state.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
@@ -22,7 +24,9 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
   let shownData: readonly unknown[] = []
   const buttons = byId('inspector-actions', HTMLElement)
 
-  store.subscribe(({ selected, described, attributes, domain }) => {
+  store.subscribe((state) => {
+    const { attributes, domain } = state
+    const selected = selectedIn(state)
     if (selected === undefined) return
     if (shownData[0] !== selected || shownData[1] !== attributes) {
       shownData = [selected, attributes]
@@ -41,7 +45,8 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
     const about = [number, placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
     place.hidden = about === ''
     if (place.textContent !== about) place.textContent = about
-    if (described?.id === selected) render(factsOf(described, domain.region !== undefined), facts)
+    const described = describedIn(state)
+    if (described !== undefined) render(factsOf(described, domain.region !== undefined), facts)
   })
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { html, render } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import { short } from '../../view/short.ts'
+import type { Store } from '../../view/store.ts'
+import { selectedIn } from '../../view/view-state.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
@@ -25,7 +27,9 @@ export function mountInspectorShare(store: Store<State>, actions: PageActions): 
   const end = () => {
     gesture = undefined
   }
-  const draw = ({ selected, domain, edited }: State) => {
+  const draw = (state: State) => {
+    const { domain, edited } = state
+    const selected = selectedIn(state)
     const isGiven = selected !== undefined && domain.areas !== undefined
     place.hidden = !isGiven
     // The radius is then a weight that results from the area.

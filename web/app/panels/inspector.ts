@@ -2,8 +2,9 @@
 
 import { describeCell } from '../../editing/describe-cell.ts'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import { short } from '../../view/short.ts'
+import type { Store } from '../../view/store.ts'
+import { describedIn, selectedIn } from '../../view/view-state.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { listenToPresses } from '../input/after-press.ts'
 import type { PageActions } from '../page-actions.ts'
@@ -25,6 +26,10 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
   const fields = FIELDS.map((name) => byId(`field-${name}`, HTMLInputElement))
   const figure = byId('figure', HTMLElement)
   const afterPress = listenToPresses(document)
+  const circleIn = (state: State) => {
+    const id = selectedIn(state)
+    return id === undefined ? undefined : actions.circle(id)
+  }
 
   // The field being edited. Refused text stays in it for correction.
   let typing: HTMLInputElement | undefined
@@ -41,7 +46,8 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     field.addEventListener('blur', () => {
       typing = undefined
       // Restores the number if the edit was refused.
-      const { circle, problem } = store.get()
+      const { problem } = store.get()
+      const circle = circleIn(store.get())
       if (circle === undefined) return
       const text = short(circle[FIELDS[i] as Field])
       if (field.value !== text && problem !== '')
@@ -75,7 +81,8 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
   }
 
   store.subscribe((state) => {
-    const { circle, described } = state
+    const circle = circleIn(state)
+    const described = describedIn(state)
     if (circle === undefined && panel.contains(document.activeElement)) figure.focus()
     panel.hidden = circle === undefined
     if (circle === undefined) return
@@ -89,8 +96,8 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
       if (field !== typing && field.value !== text) field.value = text
     })
     // The cell's description arrives later. Until then its place keeps its size.
-    panel.classList.toggle('awaiting', described?.id !== state.selected)
-    if (described === undefined || described.id !== state.selected) return
+    panel.classList.toggle('awaiting', described === undefined)
+    if (described === undefined) return
     const [description, indices] = describeCell(described, actions)
     cell.textContent = description
     showNeighbors(indices)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, type TemplateResult } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import { CANDIDATES, type Candidates } from '../../lib/base/types.ts'
 import {
   CELL_COLORS,
@@ -14,6 +13,7 @@ import {
 } from '../../view/layers.ts'
 import type { MethodFound } from '../../view/protocol.ts'
 import { short } from '../../view/short.ts'
+import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { MOST_MOVING, type Motion } from '../motion/motion.ts'

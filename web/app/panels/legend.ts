@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { Measure } from '../../view/layers.ts'
 import type { Legend } from '../../view/protocol.ts'
+import type { Store } from '../../view/store.ts'
 import { readStyle, type Style } from '../../view/style.ts'
 import type { View } from '../../view/view.ts'
 import { byId } from './by-id.ts'

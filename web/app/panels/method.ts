@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
+import type { Store } from '../../view/store.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 

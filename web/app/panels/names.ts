@@ -3,7 +3,7 @@
 import type { Editing } from '../../editing/editing.ts'
 import { nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
+import type { Store } from '../../view/store.ts'
 import { byId } from './by-id.ts'
 
 /** Offset from the pointer, in pixels. */

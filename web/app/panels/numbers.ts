@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, type TemplateResult } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { Options } from '../../lib/index.ts'
 import type { Computed, Distribution } from '../../view/protocol.ts'
 import type { Edited } from '../../view/scene-client.ts'
 import { short } from '../../view/short.ts'
+import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'

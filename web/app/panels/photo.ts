@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import { icon } from '../../player/icon.ts'
 import { DOWN, MINUS, MOTION, PLUS, STOP } from '../../view/icons.ts'
+import type { Store } from '../../view/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { FileActions } from '../files/file-actions.ts'
 import type { Photo } from '../files/files-protocol.ts'

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { html, nothing, type TemplateResult } from 'lit/html.js'
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import { holds, idsOf, numbersIn } from '../../element/check.ts'
 import { ENGLISH_GOALS, goalRings, goalsOf } from '../../element/goals.ts'
 import type { Check } from '../../lib/check-types.ts'
@@ -12,7 +12,9 @@ import { ADD, BIN, CHAIN, CODE, DOWN, TARGET } from '../../view/icons.ts'
 import type { CellFacts, Facts } from '../../view/protocol.ts'
 import { Rings } from '../../view/rings.ts'
 import { short } from '../../view/short.ts'
+import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
+import { selectedIn } from '../../view/view-state.ts'
 import type { FileActions } from '../files/file-actions.ts'
 import type { PageActions } from '../page-actions.ts'
 import {
@@ -84,10 +86,11 @@ export class QuestionForm {
     this.#redraw = redraw
     let edited = store.get().edited
     store.subscribe((state) => {
-      if (this.#picking !== undefined && state.selected !== undefined) {
+      const selected = selectedIn(state)
+      if (this.#picking !== undefined && selected !== undefined) {
         const { set } = this.#picking
         this.#picking = undefined
-        set(state.selected)
+        set(selected)
       }
       if (state.edited === edited || !this.#isOpen) return
       edited = state.edited
@@ -300,7 +303,7 @@ export class QuestionForm {
   }
 
   #add(): void {
-    const { selected } = this.#store.get()
+    const selected = selectedIn(this.#store.get())
     const first = this.#editing.circles.next(0, 1) ?? 0
     this.#set({ conditions: [...this.#draft.conditions, newCondition(selected ?? first)] })
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import type { Lattice } from '../../lib/index.ts'
 import { isDissolved, plainRegion } from '../../lib/regions/region-shape.ts'
 import { icon } from '../../player/icon.ts'
 import { ringsOf } from '../../view/domain.ts'
 import { BIN, FOLDER, PEN } from '../../view/icons.ts'
+import type { Store } from '../../view/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { FileActions } from '../files/file-actions.ts'
 import type { PageActions } from '../page-actions.ts'

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render } from 'lit/html.js'
 import { dataSetName, type State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
+import type { Store } from '../../view/store.ts'
 import { dataSetOf } from '../data-sets.ts'
 import { byId } from './by-id.ts'
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
+import type { Store } from '../../view/store.ts'
 import type { PageActions } from '../page-actions.ts'
 import { mountGroup } from './group.ts'
 import { mountIdentity } from './identity.ts'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Remedy, State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
+import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { dataSetName, type State } from '../../editing/state.ts'
-import type { Store } from '../../editing/store.ts'
 import { disable } from '../../view/disable.ts'
+import type { Store } from '../../view/store.ts'
 import { DATA_SETS, dataSetOf, labelOf, sourceOf } from '../data-sets.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
