@@ -2,8 +2,8 @@
 // The animations of the page's circles.
 import { expect, it } from 'vitest'
 import { type Movement, movementOf } from '../../web/app/motion/movements.ts'
+import type { IdentifiedCircle } from '../../web/editing/arranging.ts'
 import type { Circle } from '../../web/lib/index.ts'
-import type { IdentifiedCircle } from '../../web/view/gestures.ts'
 import { seededRandom } from './library.ts'
 
 const random = seededRandom(6)

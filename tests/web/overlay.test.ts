@@ -162,7 +162,7 @@ const THINGS: Record<string, readonly [Partial<Above>, Readonly<Record<string, B
     { accent: [150, 120, 241, 171], selectedDisc: [150, 120, 230, 160] },
   ],
   'a rectangle that selects': [
-    { band: { from: { x: 90, y: 20 }, to: { x: 10, y: 70 } } },
+    { rectangle: { from: { x: 90, y: 20 }, to: { x: 10, y: 70 } } },
     { accent: [10, 20, 90, 70] },
   ],
   'a polygon that is being drawn': [{ sketch: Float64Array.of(-5, -5, 5, -5, 0, 5) }, { accent: [146, 96, 254, 204] }],

@@ -44,8 +44,8 @@ function heard(name: Parameters<View['on']>[0]) {
 it.each<[string, () => unknown, () => unknown]>([
   [
     'a band',
-    () => Object.assign(view, { band: { from: { x: 1, y: 1 }, to: { x: 9, y: 9 } } }),
-    () => Object.assign(view, { band: undefined }),
+    () => Object.assign(view, { rectangle: { from: { x: 1, y: 1 }, to: { x: 9, y: 9 } } }),
+    () => Object.assign(view, { rectangle: undefined }),
   ],
   [
     'a sketch',

@@ -60,7 +60,6 @@ const figure = new Figure(
     keys: {
       editNumbers: async () => (await cards().catch(() => complain(NOT_LOADED)))?.(),
       showHelp: () => showHelp(),
-      drawKey: (key, step) => pen.key(key, step),
       drawRegion: () => actions.useTool('draw'),
     },
     played: (kept) => played(kept),

@@ -12,7 +12,6 @@ import { decodeLink, LINK_LIMITS, type LinkFrame, type LinkView } from '../lib/l
 import { frameOf } from '../lib/link-frame.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
-import type { SketchPhase } from '../view/gestures.ts'
 import type { Layers } from '../view/layers.ts'
 import type { Edited } from '../view/scene-client.ts'
 import type { Store } from '../view/store.ts'
@@ -33,7 +32,6 @@ import type { FilesClient } from './files/files-client.ts'
 import type { Photo, Read, Stippled } from './files/files-protocol.ts'
 import type { Recipe } from './generators/generators.ts'
 import { interestingBox, sizeOf } from './generators/interesting-box.ts'
-import type { RegionPen } from './region-pen.ts'
 
 /** The layers of a photo. */
 const MOSAIC = { fullColor: true, circles: false, edges: false, vertices: false } as const
@@ -71,19 +69,8 @@ export class PageActions extends EditorActions {
     return this.covered()
   }
 
-  /** Draws with the tool `draw`. */
-  pen: RegionPen | undefined
   /** The title, question and check of the last opened link; `undefined` if it had none. */
   frame: LinkFrame | undefined
-
-  draw(how: SketchPhase, point: Point, within: number): void {
-    this.pen?.draw(how, point, within)
-  }
-
-  /** Undo removes the last corner while a polygon is drawn. */
-  override async undo(): Promise<void> {
-    if (this.tool !== 'draw' || this.pen?.undo() !== true) await super.undo()
-  }
 
   override async setDomain(
     change: Partial<Domain>,

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { EditorActions } from '../editing/editor-actions.ts'
+import type { EditorActions, Pen } from '../editing/editor-actions.ts'
 import { ARROWS } from '../editing/keyboard.ts'
 import type { State } from '../editing/state.ts'
 import type { Point } from '../lib/index.ts'
 import { isDissolved, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ringsOf } from '../view/domain.ts'
-import type { SketchPhase } from '../view/gestures.ts'
 import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 
@@ -14,7 +13,7 @@ import type { View } from '../view/view.ts'
  * lies inside, otherwise another polygon. If the region's polygons are merged, it is merged, too. An invalid polygon
  * stays for correction.
  */
-export class RegionPen {
+export class RegionPen implements Pen {
   readonly #store: Store<State>
   readonly #actions: EditorActions
   readonly #view: View
@@ -36,12 +35,6 @@ export class RegionPen {
     return this.#corners.length
   }
 
-  draw(how: SketchPhase, point: Point, within: number): void {
-    if (how === 'move') this.#move(point)
-    else if (how === 'place') this.#place(point, within)
-    else this.close()
-  }
-
   /**
    * Handles the keys of the tool: arrows move the next corner, Space places it, Backspace removes the last one, and
    * Enter closes the polygon.
@@ -49,8 +42,8 @@ export class RegionPen {
   key(key: string, step: number): boolean {
     const arrow = ARROWS[key]
     const { x, y } = this.#next ?? this.#corners.at(-1) ?? this.#view.camera
-    if (arrow !== undefined) this.#move({ x: x + arrow[0] * step, y: y + arrow[1] * step })
-    else if (key === ' ') this.#place({ x, y }, 0)
+    if (arrow !== undefined) this.move({ x: x + arrow[0] * step, y: y + arrow[1] * step })
+    else if (key === ' ') this.place({ x, y }, 0)
     else if (key === 'Enter') this.close()
     else if (key === 'Backspace' || key === 'Delete') this.undo()
     else return false
@@ -76,12 +69,12 @@ export class RegionPen {
     if (edited !== undefined) this.#actions.useTool('select')
   }
 
-  #move(point: Point): void {
+  move(point: Point): void {
     this.#next = point
     this.#draw()
   }
 
-  #place(point: Point, within: number): void {
+  place(point: Point, within: number): void {
     const [first, last] = [this.#corners[0], this.#corners.at(-1)]
     if (first !== undefined && this.#corners.length > 2 && distance(first, point) <= within) {
       this.close()

@@ -2,6 +2,12 @@
 // Geometry of moving, scaling and snapping circles, and of choosing the next one in a direction.
 import type { Circle, Point } from '../lib/index.ts'
 
+/** A circle with its id. */
+export interface IdentifiedCircle {
+  readonly id: number
+  readonly circle: Circle
+}
+
 /** Adds without digits that neither summand has: 0.1 + 0.2 is 0.3. */
 export function stepped(value: number, step: number): number {
   if (step === 0) return value

@@ -7,6 +7,7 @@ import type { DomainChange } from '../view/protocol.ts'
 import { Superseded } from '../view/refusal.ts'
 import type { Edited } from '../view/scene-client.ts'
 import type { Store } from '../view/store.ts'
+import type { IdentifiedCircle } from './arranging.ts'
 import { type Attributes, NO_ATTRIBUTES, withValues } from './attributes.ts'
 import { areasById, areasInOrder, domainChange, sharesInOrder, sharesOf } from './domain-change.ts'
 import { type CircleSet, EMPTY_HISTORY, type History, limited, MOST_BYTES, type Opening, record } from './history.ts'
@@ -187,6 +188,13 @@ export class Editing {
     const key = domain === undefined ? keyOf(gesture, edits) : `domain,${gesture}`
     const apply = async () => (gesture <= this.#lastFormer ? undefined : this.#apply(edits, gesture, domain))
     return this.#ask(apply, edits, key)
+  }
+
+  /** Replaces those circles that are there. A drag may continue after the keyboard removed one of its circles. */
+  replace(changes: readonly IdentifiedCircle[], gesture: number): void {
+    const there = changes.filter(({ id }) => this.latest(id) !== undefined)
+    const edits = there.map(({ id, circle }) => ({ kind: 'replace', id, circle }) as const)
+    if (edits.length > 0) this.edit(edits, gesture)
   }
 
   async #apply(

@@ -3,24 +3,38 @@ import type { Circle, Edit, Point } from '../lib/index.ts'
 import { plainRegion } from '../lib/regions/region-shape.ts'
 import { gridSpacing } from '../view/axes.ts'
 import type { Domain } from '../view/domain.ts'
-import type { GestureTarget, IdentifiedCircle } from '../view/gestures.ts'
 import { roundStep } from '../view/round-step.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { short } from '../view/short.ts'
-import { middleOf, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
+import { type IdentifiedCircle, middleOf, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import { USUAL_RADIUS } from './camera-actions.ts'
 import { OpeningActions } from './opening-actions.ts'
 
 /** Offset of a copy from its original, in pixels. */
 const ASIDE = 16
 
+/** Draws a polygon corner by corner. */
+export interface Pen {
+  /** Moves the next corner. */
+  move(point: Point): void
+  /** Places a corner. At the first corner, `within` a distance in units, it closes the polygon. */
+  place(point: Point, within: number): void
+  close(): void
+  /** Handles a key, and returns whether it used the key. `step` is that of arrow keys, in units. */
+  key(key: string, step: number): boolean
+  /** Removes the last corner. Returns false if there is none. */
+  undo(): boolean
+}
+
 /**
  * Everything that a user can do with circles. Input handlers and panels call these methods; apart from results of the
  * backend, nothing else changes the state.
  */
-export class EditorActions extends OpeningActions implements GestureTarget {
+export class EditorActions extends OpeningActions {
   /** Whether the circles can be selected but not edited. */
   isReadonly = false
+  /** Draws regions with the tool `draw`. */
+  pen: Pen | undefined
   #pending: Promise<unknown> | undefined
 
   circle(id: number): Circle | undefined {
@@ -41,13 +55,7 @@ export class EditorActions extends OpeningActions implements GestureTarget {
   }
 
   set(changes: readonly IdentifiedCircle[], gesture = this.beginGesture()): void {
-    // A drag may continue after the keyboard removed one of its circles.
-    const there = changes.filter(({ id }) => this.editing.latest(id) !== undefined)
-    if (there.length > 0)
-      this.editing.edit(
-        there.map(({ id, circle }) => ({ kind: 'replace', id, circle })),
-        gesture,
-      )
+    this.editing.replace(changes, gesture)
   }
 
   /**
@@ -132,10 +140,6 @@ export class EditorActions extends OpeningActions implements GestureTarget {
     await this.add(circles.map((circle) => ({ x: stepped(circle.x, dx), y: stepped(circle.y, dy), r: circle.r })))
   }
 
-  cancel(gesture: number): void {
-    this.editing.cancel(gesture)
-  }
-
   async removeSelected(): Promise<void> {
     const ids = this.selectedCircles().map(({ id }) => id)
     if (ids.length === 0) return
@@ -188,8 +192,10 @@ export class EditorActions extends OpeningActions implements GestureTarget {
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
   }
 
-  undo(): Promise<void> {
-    return this.#selecting(() => this.#go(() => this.editing.undo()))
+  /** While a polygon is drawn, undo removes its last corner. */
+  async undo(): Promise<void> {
+    if (this.tool === 'draw' && this.pen?.undo() === true) return
+    await this.#selecting(() => this.#go(() => this.editing.undo()))
   }
 
   redo(): Promise<void> {

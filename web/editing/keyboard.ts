@@ -27,10 +27,6 @@ export interface KeyActions {
   /** Moves the focus to the number fields of the selected circle. */
   editNumbers?(): void
   showHelp?(): void
-  /**
-   * Handles keys while a region is drawn, and returns whether it used the key. `step` is that of arrow keys, in units.
-   */
-  drawKey?(key: string, step: number): boolean
   /** Begins to draw a region. */
   drawRegion?(): void
 }
@@ -48,7 +44,7 @@ export function listenToKeyboard(
   view: View,
   store: Store<State>,
   actions: EditorActions,
-  { editNumbers, showHelp, drawKey, drawRegion }: KeyActions,
+  { editNumbers, showHelp, drawRegion }: KeyActions,
   { around, signal }: KeyboardOptions,
 ): void {
   // A held key is one gesture.
@@ -71,7 +67,7 @@ export function listenToKeyboard(
     const arrow = ARROWS[event.key]
     if (!event.repeat) gesture = actions.beginGesture()
 
-    if (tool === 'draw' && drawKey?.(event.key, step) === true) return true
+    if (tool === 'draw' && actions.pen?.key(event.key, step) === true) return true
     if (arrow !== undefined) {
       if (hasSelection && !actions.isReadonly) actions.moveSelected(arrow[0] * step, arrow[1] * step, gesture)
       else actions.pan(-arrow[0] * PAN_STEP, arrow[1] * PAN_STEP)

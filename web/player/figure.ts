@@ -5,6 +5,7 @@ import type { EditorActions } from '../editing/editor-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
 import { mountLiveRegion } from '../editing/live-region.ts'
 import type { OpenRequest } from '../editing/opening-actions.ts'
+import { type Listening, listenToPointer } from '../editing/pointer.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
 import type { State } from '../editing/state.ts'
 import type { LinkState } from '../lib/link.ts'
@@ -13,7 +14,6 @@ import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
 import type { FigureLoadOptions } from '../view/load.ts'
 import { nextFrame } from '../view/next-frame.ts'
-import { type Listening, listenToPointer } from '../view/pointer.ts'
 import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import { Stepping } from './stepping.ts'
@@ -92,7 +92,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     })
 
     mountLiveRegion(store, said, actions)
-    this.#listening = listenToPointer(figure, view, actions, { letsPageScroll: scrolls })
+    this.#listening = listenToPointer(figure, { view, editing, actions }, { letsPageScroll: scrolls })
     const { signal } = this.#keys
     listenToKeyboard(figure, view, store, actions, keys, { around, signal })
   }

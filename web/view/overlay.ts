@@ -17,7 +17,7 @@ import type { Described, GlobalResults, Highlights, Touching, Trial } from './pr
 import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
 
-/** The corners of a rubber band, in pixels. */
+/** The corners of the rectangle in which circles are about to be selected, in pixels. */
 export interface SelectionRectangle {
   readonly from: Point
   readonly to: Point
@@ -66,7 +66,7 @@ export interface OverlayHighlights {
   readonly touching: Touching | undefined
   readonly trial: Trial | undefined
   readonly chosen: Chosen | undefined
-  readonly band: SelectionRectangle | undefined
+  readonly rectangle: SelectionRectangle | undefined
   /** The corners of the polygon being drawn. */
   readonly sketch: Float64Array | undefined
 }
@@ -76,7 +76,7 @@ export const NOTHING_STANDS_OUT: OverlayHighlights = {
   touching: undefined,
   trial: undefined,
   chosen: undefined,
-  band: undefined,
+  rectangle: undefined,
   sketch: undefined,
 }
 
@@ -99,7 +99,7 @@ export function isNothingAbove({
   trial,
   layers,
   chosen,
-  band,
+  rectangle,
   sketch,
   above,
   names,
@@ -111,7 +111,7 @@ export function isNothingAbove({
     touching,
     trial,
     chosen,
-    band,
+    rectangle,
     sketch,
     hull,
     largestDisc,
@@ -128,7 +128,7 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { marks, found, touching, trial, layers, names, covered, chosen, band, sketch, above }: OverlayContent,
+  { marks, found, touching, trial, layers, names, covered, chosen, rectangle, sketch, above }: OverlayContent,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -185,7 +185,7 @@ export function drawOverlay(
   if (chosen !== undefined) drawChosen(chosen)
   if (trial !== undefined) drawTrial(trial)
   if (touching !== undefined && layers.disc) drawTouching(touching)
-  if (band !== undefined) drawBand(band)
+  if (rectangle !== undefined) drawRectangle(rectangle)
   if (sketch !== undefined) drawSketch(sketch)
 
   function drawData(layer: OverlayLayer): void {
@@ -268,11 +268,11 @@ export function drawOverlay(
         path = drawing.path()
       }
       drawChosenPath(path)
-      stroke(rectangle(to.x(box.minX), to.y(box.maxY), to.x(box.maxX), to.y(box.minY)), style.accent, 1, [4, 4])
+      stroke(rectanglePath(to.x(box.minX), to.y(box.maxY), to.x(box.maxX), to.y(box.minY)), style.accent, 1, [4, 4])
     }
     const { x, y } = handleOf(box, (corner) => ({ x: to.x(corner.x) / pixelRatio, y: to.y(corner.y) / pixelRatio }))
     const [left, top] = [(x - HANDLE_SIDE / 2) * pixelRatio, (y - HANDLE_SIDE / 2) * pixelRatio]
-    const square = rectangle(left, top, left + HANDLE_SIDE * pixelRatio, top + HANDLE_SIDE * pixelRatio)
+    const square = rectanglePath(left, top, left + HANDLE_SIDE * pixelRatio, top + HANDLE_SIDE * pixelRatio)
     fill(square, style.paper)
     stroke(square, style.accent, 1.5)
   }
@@ -281,8 +281,8 @@ export function drawOverlay(
     outline(path, style.selectedDisc, NEIGHBOR_OUTLINE)
   }
 
-  function drawBand({ from, to }: SelectionRectangle): void {
-    const path = rectangle(from.x * pixelRatio, from.y * pixelRatio, to.x * pixelRatio, to.y * pixelRatio)
+  function drawRectangle({ from, to }: SelectionRectangle): void {
+    const path = rectanglePath(from.x * pixelRatio, from.y * pixelRatio, to.x * pixelRatio, to.y * pixelRatio)
     fill(path, style.accent, 0.1)
     stroke(path, style.accent, 1)
   }
@@ -305,7 +305,7 @@ export function drawOverlay(
     stroke(dots, style.accent, FOUND_LINE)
   }
 
-  function rectangle(left: number, top: number, right: number, bottom: number): PathSink {
+  function rectanglePath(left: number, top: number, right: number, bottom: number): PathSink {
     const path = drawing.path()
     addRectangle(path, left, top, right, bottom)
     return path

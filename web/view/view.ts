@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Circle, Edit, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
-import { type Camera, NO_PADDING, type Padding, type Size, toScreen } from './camera.ts'
+import { type Camera, NO_PADDING, type Padding, type Size, toPlane, toScreen } from './camera.ts'
 import { type Chosen, chosenOf } from './chosen.ts'
 import type { CircleTable, Hit, KeptIds } from './circle-table.ts'
 import type { Name, Names } from './labels.ts'
@@ -101,7 +101,7 @@ export class View {
   #lastTrial = 0
   /** The selected circles as they are drawn; `undefined` if they have changed since. */
   #chosen: { readonly drawn: Chosen | undefined } | undefined
-  #band: SelectionRectangle | undefined
+  #rectangle: SelectionRectangle | undefined
   #sketch: Float64Array | undefined
   #above: readonly OverlayLayer[] = []
   #baseChanged = false
@@ -322,7 +322,7 @@ export class View {
   }
 
   /** Shows the disc at the nearest vertex or point of an edge, if that layer is visible. */
-  async touch(point: Point | undefined, slack: number): Promise<void> {
+  async showDisc(point: Point | undefined, slack: number): Promise<void> {
     this.#touchedAt = point
     const touching =
       point === undefined || !this.#drawnLayers.disc
@@ -414,6 +414,11 @@ export class View {
     return toScreen(this.camera, this.#size, point)
   }
 
+  /** The point of the plane at a pixel. */
+  toPlane(point: Point): Point {
+    return toPlane(this.camera, this.#size, point)
+  }
+
   /** The selected circle, if exactly one is selected. */
   get selected(): Circle | undefined {
     const id = selectedIn(this.#store.get())
@@ -430,8 +435,9 @@ export class View {
     return this.#chosen.drawn
   }
 
-  set band(band: SelectionRectangle | undefined) {
-    this.#band = band
+  /** The rectangle in which circles are about to be selected. */
+  set rectangle(rectangle: SelectionRectangle | undefined) {
+    this.#rectangle = rectangle
     this.#overlayChanges()
   }
 
@@ -573,7 +579,7 @@ export class View {
       touching: this.#touching,
       trial: this.#trial,
       chosen: this.#drawnSelection,
-      band: this.#band,
+      rectangle: this.#rectangle,
       sketch: this.#sketch,
     }
   }

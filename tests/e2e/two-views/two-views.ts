@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { mountEdited } from '../../../web/editing/edited-view.ts'
 import { EditorActions } from '../../../web/editing/editor-actions.ts'
+import { listenToPointer } from '../../../web/editing/pointer.ts'
 import { mount } from '../../../web/view/mount.ts'
-import { listenToPointer } from '../../../web/view/pointer.ts'
 import type { View } from '../../../web/view/view.ts'
 
 const circles = Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5)
@@ -11,7 +11,7 @@ const edited = async (id: string) => {
   const container = document.getElementById(id) as HTMLElement
   const { view, store, editing } = mountEdited(container, undefined, nothing, nothing)
   const actions = new EditorActions(store, editing, view, () => ({ top: 16, right: 16, bottom: 16, left: 16 }))
-  listenToPointer(container, view, actions)
+  listenToPointer(container, { view, editing, actions })
   await actions.open(async () => ({ circles, dataSet: '', isEdited: false }))
   return view
 }

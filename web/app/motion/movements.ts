@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The animations. Each computes the circles of the next frame.
+
+import type { IdentifiedCircle } from '../../editing/arranging.ts'
 import type { Box } from '../../lib/index.ts'
-import type { IdentifiedCircle } from '../../view/gestures.ts'
 
 /** Returns the circles `seconds` after the last frame. `neighbors` are pairs of ids whose cells share an edge. */
 export type Movement = (seconds: number) => readonly IdentifiedCircle[]
