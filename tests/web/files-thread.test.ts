@@ -6,12 +6,12 @@ import { regionOfText } from '../../web/app/files/region-file.ts'
 import { attributesOf } from '../../web/editing/attributes.ts'
 import type { Lattice } from '../../web/lib/index.ts'
 import { decodeLink } from '../../web/lib/link.ts'
-import type { RemoteReply } from '../../web/view/remote-calls.ts'
+import type { FromThread } from '../../web/lib/threads/channel.ts'
 import { library } from './library.ts'
 
-const replies: RemoteReply[] = []
+const replies: FromThread[] = []
 beforeEach(async () => {
-  vi.stubGlobal('postMessage', (reply: RemoteReply) => replies.push(reply))
+  vi.stubGlobal('postMessage', (reply: FromThread) => replies.push(reply))
   await import('../../web/app/files/files-thread.ts')
 })
 afterEach(() => vi.unstubAllGlobals())
@@ -22,7 +22,7 @@ async function ask(data: object) {
   return replies.at(-1)
 }
 const call = async (name: string, ...args: unknown[]) =>
-  ((await ask({ request: 9, name, args })) as { value?: unknown }).value
+  ((await ask({ id: 9, name, args })) as { value?: unknown }).value
 const read = (text: string, how?: HowRead, name = 'a.csv') =>
   call('read', new TextEncoder().encode(text), name, how) as Promise<Read & { circles: Float64Array }>
 
@@ -30,13 +30,13 @@ it('says what went wrong, about which circle if about one, and tries again when 
   vi.stubGlobal('fetch', () => Promise.reject(new Error('The network is gone')))
   const platform = vi.spyOn(process, 'getBuiltinModule').mockReturnValue(undefined as never)
   const error = { code: 'notLoaded', circle: undefined, message: expect.stringContaining('The network is gone') }
-  expect(await ask({ request: 1, name: 'catalogue', args: [] })).toEqual({ request: 1, error })
+  expect(await ask({ id: 1, name: 'catalogue', args: [] })).toEqual({ id: 1, error })
   platform.mockRestore()
   const value = { families: expect.anything(), figures: expect.anything() }
-  expect(await ask({ request: 2, name: 'catalogue', args: [] })).toEqual({ request: 2, value })
-  const wrong = { request: 3, name: 'read', args: [new TextEncoder().encode('0,0,1\n5,0,-1\n'), 'a.csv'] }
+  expect(await ask({ id: 2, name: 'catalogue', args: [] })).toEqual({ id: 2, value })
+  const wrong = { id: 3, name: 'read', args: [new TextEncoder().encode('0,0,1\n5,0,-1\n'), 'a.csv'] }
   const refused = { code: 'negativeRadius', circle: 1, message: expect.stringMatching(/^a\.csv:2: Circle 1 /) }
-  expect(await ask(wrong)).toEqual({ request: 3, error: refused })
+  expect(await ask(wrong)).toEqual({ id: 3, error: refused })
 })
 
 it('generates circles and writes links', async () => {

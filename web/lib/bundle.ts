@@ -8,8 +8,8 @@ import './generated/circle-voronoi.js'
 import './generated/circle-voronoi-metrics.js'
 import './generated/circle-voronoi-regions.js'
 import './generated/circle-voronoi-sphere.js'
-import { answerRequests } from './threads/answer-requests.ts'
 import { THREAD_NAME } from './threads/thread-file.ts'
+import { answerWorker } from './threads/worker-answers.ts'
 
 export * from './index.ts'
 export * from './link.ts'
@@ -21,4 +21,4 @@ export * from './worker.ts'
 // The workers run the same file.
 const nodeThread = globalThis.process?.getBuiltinModule?.('node:worker_threads')
 const name: unknown = nodeThread === undefined ? Object(globalThis).name : nodeThread.workerData
-if (name === THREAD_NAME) answerRequests()
+if (name === THREAD_NAME) answerWorker()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The entry point of the worker of `createWorker`.
-import { answerRequests } from './threads/answer-requests.ts'
+import { answerWorker } from './threads/worker-answers.ts'
 
-answerRequests()
+answerWorker()

@@ -7,7 +7,7 @@
 
 import { refuseOption } from './base/check.ts'
 import { type Accessors, type Circles, coordinatesOf } from './base/coordinates.ts'
-import { receivedError, workerFailure } from './base/errors.ts'
+import { workerFailure } from './base/errors.ts'
 import { loadedOnce } from './base/loaded-once.ts'
 import type { DiagramData, Disposal } from './base/types.ts'
 import { Diagram } from './diagram/diagram.ts'
@@ -17,10 +17,11 @@ import { PeriodicDiagram } from './diagram/periodic-diagram.ts'
 import createSphereModule from './generated/circle-voronoi-sphere.js'
 import type { Region } from './regions/region.ts'
 import type { RingArrays } from './regions/region-shape.ts'
+import { Channel, type ProgressOf, type RequestOptions } from './threads/channel.ts'
 import { EditorClient } from './threads/editor-client.ts'
-import { startThread, type Thread } from './threads/thread.ts'
+import { startThread } from './threads/thread.ts'
 import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
-import type { ComputeRequest, Reply, Request } from './threads/worker-messages.ts'
+import type { ComputeProgress, HowComputed, WorkerRequests } from './threads/worker-requests.ts'
 import { defaultMetricsWasm, defaultRegionsWasm, defaultSphereWasm } from './wasm/default-wasm.ts'
 import { type EditorOptions, editorStart } from './wasm/editor.ts'
 import {
@@ -220,37 +221,8 @@ export function createWorker(options: LoadOptions = {}): CircleVoronoiWorker {
   return new Client(options)
 }
 
-/** A pending or running computation. */
-interface Job {
-  readonly request: Request
-  /** The memory of the request, which is transferred instead of copied. */
-  readonly transfer: ArrayBuffer[]
-  readonly observer: Observer
-  /** Fulfills the promise with the last reply. */
-  readonly resolve: (reply: Reply) => void
-  readonly reject: (reason: unknown) => void
-  readonly onAbort: () => void
-}
-
-/** The listeners of a caller, and its signal. */
-interface Observer {
-  readonly tell: (reply: Reply) => void
-  readonly signal: AbortSignal | undefined
-}
-
 /** The options of a computation, some of which find circles in data. */
 type ReadOptions<Datum> = AsyncMetricOptions & Partial<Accessors<Datum>>
-
-/** Returns the request of a computation, whose options have been checked, and who listens to it. */
-function computationOf<Datum>(
-  data: Circles | Iterable<Datum>,
-  { signal, progress, metric: _, x, y, r, ...options }: ReadOptions<Datum>,
-): { readonly request: ComputeRequest; readonly observer: Observer } {
-  checkSignal(signal)
-  const circles = coordinatesOf(data, { x, y, r })
-  const tell = (reply: Reply) => 'progress' in reply && progress?.(...reply.progress)
-  return { request: { circles, options, tellsProgress: progress !== undefined }, observer: { tell, signal } }
-}
 
 /** Returns the arrays from which the worker makes the region again. */
 function arraysOf({ points, ringOffsets, polygonOffsets }: Region): RingArrays {
@@ -264,11 +236,11 @@ class Client implements CircleVoronoiWorker {
   readonly #sphereModule = loadedOnce(() => compileWasm(undefined, defaultSphereWasm))
   /** Answers the questions about diagrams that the worker has computed. */
   readonly #spheres = loadedOnce((wasm: CompiledWasm) => spheresOf(createSphereModule, wasm))
-  #thread: Thread | undefined
-  /** The first job belongs to the thread; the others wait. */
-  #jobs: Job[] = []
-  /** The job that the thread has been given. */
-  #running: Job | undefined
+  #channel: Channel<WorkerRequests> | undefined
+  /** Fulfilled when the last request has ended. */
+  #last: Promise<unknown> = Promise.resolve()
+  /** The requests that have not ended. */
+  readonly #requests = new Set<AbortController>()
   readonly #editors = new Set<EditorClient>()
   #isDisposed = false
 
@@ -278,10 +250,8 @@ class Client implements CircleVoronoiWorker {
 
   async compute<Datum>(circles: Circles | Iterable<Datum>, options: ReadOptions<Datum> = {}): Promise<Diagram> {
     checkMetricOptions(options, 'compute', ['signal'])
-    const { request, observer } = computationOf(circles, options)
-    const other = await this.#otherMetric(options)
-    const reply = await this.#ask({ ...request, ...other }, [request.circles.buffer], observer)
-    return withWarning(new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram))
+    const { coordinates, how, more } = await this.#computation(circles, options)
+    return withWarning(new Diagram(await this.#ask('compute', [coordinates, how], more)))
   }
 
   async computePeriodic<Datum>(
@@ -291,16 +261,22 @@ class Client implements CircleVoronoiWorker {
   ): Promise<PeriodicDiagram> {
     const [ax, ay, bx, by] = latticeNumbers(lattice, 'computePeriodic') as unknown as [number, number, number, number]
     checkMetricOptions(options, 'computePeriodic', ['signal'])
-    const { request, observer } = computationOf(circles, options)
+    const { coordinates, how, more } = await this.#computation(circles, options)
     const periods = { a: [ax, ay], b: [bx, by] } as const
-    const other = await this.#otherMetric(options)
-    const reply = await this.#ask({ ...request, lattice: periods, ...other }, [request.circles.buffer], observer)
-    return new PeriodicDiagram((reply as Extract<Reply, { periodic: unknown }>).periodic)
+    return new PeriodicDiagram(await this.#ask('computePeriodic', [coordinates, periods, how], more))
   }
 
-  /** Returns a metric other than `circles`, and the module for it. */
-  async #otherMetric({ metric = 'circles' }: MetricOptions): Promise<Pick<ComputeRequest, 'metric' | 'wasm'>> {
-    return metric === 'circles' ? {} : { wasm: newestMetricsWasm() ?? (await this.#metricsModule()), metric }
+  /** Returns the arguments of a computation, whose options have been checked. */
+  async #computation<Datum>(
+    data: Circles | Iterable<Datum>,
+    { signal, progress, metric = 'circles', x, y, r, ...options }: ReadOptions<Datum>,
+  ) {
+    checkSignal(signal)
+    const coordinates = coordinatesOf(data, { x, y, r })
+    const onProgress = progress && ((told: ComputeProgress) => progress(...told))
+    const other = metric === 'circles' ? {} : { metric, wasm: newestMetricsWasm() ?? (await this.#metricsModule()) }
+    const how: HowComputed = { options, ...other }
+    return { coordinates, how, more: { signal, transfer: [coordinates.buffer], onProgress } }
   }
 
   async computeSphere<Datum>(
@@ -311,11 +287,11 @@ class Client implements CircleVoronoiWorker {
     const { signal } = options
     checkSignal(signal)
     const wasm = newestSphereWasm() ?? (await this.#sphereModule())
-    const [reply, { diagramOf }] = await Promise.all([
-      this.#ask({ sphere, wasm }, [sphere.caps.buffer], { tell: () => {}, signal }),
+    const [computed, { diagramOf }] = await Promise.all([
+      this.#ask('computeSphere', [sphere, wasm], { signal, transfer: [sphere.caps.buffer] }),
       this.#spheres(wasm),
     ])
-    return diagramOf((reply as Extract<Reply, { sphere: unknown }>).sphere)
+    return diagramOf(computed)
   }
 
   fitAreas(
@@ -337,15 +313,12 @@ class Client implements CircleVoronoiWorker {
     const { region, onStep, signal } = options
     const wasm = region === undefined ? (newestWasm() ?? (await this.#regionsModule())) : wasmOf(region)
     if (wasm === undefined) refuseOption('The region of fitAreas was made by another copy of the library.')
-    const request = { fit, region: region && arraysOf(region), wasm, tellsProgress: onStep !== undefined }
-    const tell = (reply: Reply) => 'step' in reply && onStep?.(reply.step)
-    const reply = await this.#ask(request, [fit.sites.buffer, fit.areas.buffer], { tell, signal })
-    if ('periodicFit' in reply) {
-      const { periodic, ...rest } = reply.periodicFit
-      return { ...rest, periodic: new PeriodicDiagram(periodic) }
-    }
-    const { diagram, ...rest } = (reply as Extract<Reply, { fit: unknown }>).fit
-    return { ...rest, diagram: new Diagram(diagram) }
+    const transfer = [fit.sites.buffer, fit.areas.buffer]
+    const more = { signal, transfer, onProgress: onStep }
+    const found = await this.#ask('fitAreas', [fit, region && arraysOf(region), wasm], more)
+    return 'periodic' in found
+      ? { ...found, periodic: new PeriodicDiagram(found.periodic) }
+      : { ...found, diagram: new Diagram(found.diagram) }
   }
 
   async treemap<Node extends TreeNode>(root: Node, options: TreemapOptions): Promise<TreeWithCells<Node>> {
@@ -353,13 +326,13 @@ class Client implements CircleVoronoiWorker {
     const { region, progress, signal } = options
     const wasm = wasmOf(region)
     if (wasm === undefined) refuseOption('The region of treemap was made by another copy of the library.')
-    const request = { tree: input, region: arraysOf(region), wasm, tellsProgress: progress !== undefined }
-    const tell = (reply: Reply) => 'divided' in reply && progress?.(...reply.divided)
-    const memory = [input.parents.buffer, input.values.buffer, input.previous.buffer]
-    const reply = await this.#ask(request, memory, { tell, signal }).catch((error: unknown) => {
+    const transfer = [input.parents.buffer, input.values.buffer, input.previous.buffer]
+    const onProgress = progress && ((divided: readonly [number, number]) => progress(...divided))
+    const more = { signal, transfer, onProgress }
+    const cells = await this.#ask('treemap', [input, arraysOf(region), wasm], more).catch((error: unknown) => {
       throw named(error)
     })
-    return finish((reply as Extract<Reply, { cells: unknown }>).cells)
+    return finish(cells)
   }
 
   async edit(circles: Circles | DiagramData, options: EditorOptions = {}): Promise<AsyncDiagramEditor> {
@@ -376,106 +349,65 @@ class Client implements CircleVoronoiWorker {
   dispose(): void {
     this.#isDisposed = true
     for (const editor of this.#editors) editor.dispose()
-    // The last job is canceled first, so that no other job begins.
-    for (const job of this.#jobs.toReversed()) this.#cancel(job, disposed())
-    this.#stopThread()
+    for (const request of this.#requests) request.abort(disposed())
+    this.#channel?.end(disposed())
   }
 
   [Symbol.dispose](): void {
     this.dispose()
   }
 
-  /** Puts a request into the queue, and returns the reply that ends it. */
-  async #ask(request: Request, transfer: ArrayBuffer[], observer: Observer): Promise<Reply> {
-    const { signal } = observer
+  /** Asks the thread when all earlier requests have ended. */
+  async #ask<Name extends keyof WorkerRequests>(
+    name: Name,
+    args: Parameters<WorkerRequests[Name]>,
+    { signal, transfer, onProgress }: RequestOptions<ProgressOf<WorkerRequests[Name]>>,
+  ): Promise<ReturnType<WorkerRequests[Name]>> {
     if (this.#isDisposed) throw disposed()
     signal?.throwIfAborted()
-    return new Promise((resolve, reject) => {
-      const onAbort = () => this.#cancel(job, signal?.reason)
-      const job: Job = { request, transfer, observer, resolve, reject, onAbort }
-      signal?.addEventListener('abort', onAbort)
-      this.#jobs.push(job)
-      if (this.#jobs.length === 1) this.#begin(job)
+    const request = new AbortController()
+    const abort = () => request.abort(signal?.reason)
+    const onlyOnce = { once: true }
+    signal?.addEventListener('abort', abort, onlyOnce)
+    this.#requests.add(request)
+    const answered = this.#last.then(async () => {
+      request.signal.throwIfAborted()
+      const module = await this.#module()
+      request.signal.throwIfAborted()
+      const channel = this.#open(module)
+      // Only the end of the thread stops a computation.
+      request.signal.addEventListener('abort', () => channel.end(request.signal.reason), onlyOnce)
+      const listen = (progress: Parameters<NonNullable<typeof onProgress>>[0]) => {
+        try {
+          onProgress?.(progress)
+        } catch (error) {
+          request.abort(error)
+        }
+      }
+      return channel.request(name, args, { transfer, onProgress: onProgress && listen })
     })
-  }
-
-  #begin(job: Job): void {
-    this.#module()
-      .then((module) => {
-        // The job may have been canceled in the meantime.
-        if (this.#jobs[0] === job) this.#run(job, module)
-      })
-      .catch((error) => this.#settle(job, () => job.reject(error)))
-  }
-
-  #run(job: Job, module: CompiledWasm): void {
+    this.#last = answered.catch(() => {})
+    const aborted = new Promise<never>((_, reject) => {
+      request.signal.addEventListener('abort', () => reject(request.signal.reason), onlyOnce)
+    })
     try {
-      this.#thread ??= this.#startThread(module)
+      return await Promise.race([answered, aborted])
+    } finally {
+      this.#requests.delete(request)
+      signal?.removeEventListener('abort', abort)
+    }
+  }
+
+  #open(module: CompiledWasm): Channel<WorkerRequests> {
+    if (this.#channel !== undefined && !this.#channel.isEnded) return this.#channel
+    try {
+      const channel = new Channel<WorkerRequests>(startThread, (cause) => channel.end(workerFailure(cause)), {})
+      channel.request('start', [module]).catch(() => {})
+      this.#channel = channel
+      return channel
     } catch (cause) {
       throw workerFailure(cause)
     }
-    this.#thread.keepAlive(true)
-    this.#thread.post(job.request, job.transfer)
-    this.#running = job
-  }
-
-  #startThread(module: CompiledWasm): Thread {
-    // Messages of a thread that has been ended are ignored.
-    const ifCurrent = (action: () => void) => this.#thread === thread && action()
-    const thread = startThread({
-      onReply: (reply) => ifCurrent(() => this.#receive(reply)),
-      onFailure: (cause) => ifCurrent(() => this.#fail(cause)),
-    })
-    thread.post({ module })
-    return thread
-  }
-
-  #receive(reply: Reply): void {
-    const job = this.#running
-    if (job === undefined || 'results' in reply) return
-    if ('progress' in reply || 'step' in reply || 'divided' in reply) {
-      try {
-        job.observer.tell(reply)
-      } catch (error) {
-        this.#cancel(job, error)
-      }
-      return
-    }
-    this.#running = undefined
-    this.#settle(job, () => {
-      if ('error' in reply) return job.reject(receivedError(reply.error))
-      job.resolve(reply)
-    })
-  }
-
-  #fail(cause: unknown): void {
-    const job = this.#running
-    this.#stopThread()
-    if (job === undefined) return
-    this.#settle(job, () => job.reject(workerFailure(cause)))
-  }
-
-  #cancel(job: Job, reason: unknown): void {
-    // Only the end of the thread stops a computation.
-    if (this.#running === job) this.#stopThread()
-    this.#settle(job, () => job.reject(reason))
-  }
-
-  /** Takes a job from the queue, settles its promise, and goes on with the next. */
-  #settle(job: Job, settlePromise: () => void): void {
-    const wasFirst = this.#jobs[0] === job
-    this.#jobs = this.#jobs.filter((other) => other !== job)
-    job.observer.signal?.removeEventListener('abort', job.onAbort)
-    settlePromise()
-    const [next] = this.#jobs
-    if (next === undefined) this.#thread?.keepAlive(false)
-    else if (wasFirst) this.#begin(next)
-  }
-
-  #stopThread(): void {
-    this.#thread?.terminate()
-    this.#thread = undefined
-    this.#running = undefined
   }
 }
 

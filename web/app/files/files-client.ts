@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { ErrorCode } from '../../lib/base/errors.ts'
-import { type RemoteCall, RemoteCalls, type RemoteReply } from '../../view/remote-calls.ts'
+import { CircleVoronoiError } from '../../lib/base/errors.ts'
+import { Channel } from '../../lib/threads/channel.ts'
+import { webThread } from '../../lib/threads/web-thread.ts'
 import type { FilesCalls } from './files-protocol.ts'
 
 /**
@@ -8,36 +9,29 @@ import type { FilesCalls } from './files-protocol.ts'
  * opening can be canceled and may take long, while links, saved files and lists neither wait for it nor end with it.
  */
 export class FilesClient {
-  readonly #calls = new RemoteCalls<FilesCalls>()
-  #worker: Worker | undefined
+  #channel: Channel<FilesCalls> | undefined
 
   /** @throws CircleVoronoiError as `FilesCalls` says */
   call<Name extends keyof FilesCalls>(
     name: Name,
     ...args: Parameters<FilesCalls[Name]>
   ): Promise<ReturnType<FilesCalls[Name]>> {
-    const worker = this.#start()
-    return this.#calls.call(name, args, (call: RemoteCall) => worker.postMessage(call))
+    return this.#open().request(name, args)
   }
 
   /** Rejects all calls and ends the thread. */
   cancel(): void {
-    this.#end('internal', 'It was canceled.')
+    this.#channel?.end(new CircleVoronoiError('internal', 'It was canceled.'))
   }
 
-  #end(code: ErrorCode, message: string): void {
-    this.#worker?.terminate()
-    // A new worker may succeed.
-    this.#worker = undefined
-    this.#calls.leave(undefined, { code, circle: undefined, message })
-  }
-
-  #start(): Worker {
-    if (this.#worker !== undefined) return this.#worker
+  /** Returns the channel to the thread, or to another one if that has ended. */
+  #open(): Channel<FilesCalls> {
+    if (this.#channel !== undefined && !this.#channel.isEnded) return this.#channel
+    const reason = 'The part of the page that does this could not be loaded. Try again.'
     const worker = new Worker(new URL('./files-thread.ts', import.meta.url), { type: 'module' })
-    worker.onmessage = ({ data }: MessageEvent<RemoteReply>) => this.#calls.receive(data)
-    worker.onerror = () => this.#end('notLoaded', 'The part of the page that does this could not be loaded. Try again.')
-    this.#worker = worker
-    return worker
+    const fail = () => channel.end(new CircleVoronoiError('notLoaded', reason))
+    const channel = new Channel<FilesCalls>((events) => webThread(worker, events), fail, {})
+    this.#channel = channel
+    return channel
   }
 }

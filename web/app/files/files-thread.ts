@@ -4,16 +4,16 @@ import { columnsOf, NO_ATTRIBUTES } from '../../editing/attributes.ts'
 import type { Headings } from '../../editing/history.ts'
 import { COLOR } from '../../editing/identity.ts'
 import { at } from '../../lib/base/diagram-data.ts'
-import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
+import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
 import type { CircleAttributes, Files, ReadCirclesOptions } from '../../lib/files.ts'
 import type { Diagram, Float64s, Int32s, PeriodicDiagram } from '../../lib/index.ts'
 import { encodeLink, type LinkAttributes } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
+import { answerRequests } from '../../lib/threads/answer-requests.ts'
 import { boundingBox } from '../../view/camera.ts'
 import { USUAL_NAMES } from '../../view/circle-text.ts'
 import type { Domain } from '../../view/domain.ts'
-import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
 import { degreesIn } from '../earth/degrees.ts'
 import { randomNumbers } from '../random-numbers.ts'
 import { type ColumnNames, knownColumns, type RadiusScale, scaled, UNCHANGED } from './columns.ts'
@@ -21,11 +21,6 @@ import type { FilesCalls, HowRead, NamedCircles, NamedColumns, Preview, Read, Sa
 import { previewFrame } from './preview-frame.ts'
 import { pixelsOf, stippled } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
-
-const port = globalThis as unknown as {
-  onmessage: (event: MessageEvent<RemoteCall<keyof FilesCalls>>) => void
-  postMessage(message: RemoteReply, transfer?: Transferable[]): void
-}
 
 /** Diagrams of more circles are previewed without their edges. */
 const MOST_PREVIEWED = 5000
@@ -40,40 +35,25 @@ const files = loadedOnce(async () => (await import('../../lib/files.ts')).loadFi
 const library = loadedOnce(async () => (await import('../../lib/wasm/loader.ts')).loadLibrary())
 const generators = loadedOnce(async () => (await import('../generators/generators.ts')).loadGenerators())
 
-const calls: {
-  readonly [Name in keyof FilesCalls]: (
-    ...args: Parameters<FilesCalls[Name]>
-  ) => ReturnType<FilesCalls[Name]> | Promise<ReturnType<FilesCalls[Name]>>
-} = {
-  read,
-  stipple: async (picture, count) => {
+answerRequests<FilesCalls>({
+  read: (args) => read(...args),
+  stipple: async ([picture, count]) => {
     const pixels = await pixelsOf(picture)
     const { circles, colors } = stippled(pixels, randomNumbers(STIPPLED), count)
     const values = colors.map((color) => JSON.stringify(color))
     const { width, height } = pixels
     return { circles, attributes: { ...NO_ATTRIBUTES, columns: [{ name: COLOR, values }] }, size: { width, height } }
   },
-  preview,
-  write,
-  link: encodeLink,
-  make: async (recipe) => (await generators()).make(recipe),
-  thumbnail: async (circles, name, rings) => {
+  preview: ([circles]) => preview(circles),
+  write: (args) => write(...args),
+  link: ([state]) => encodeLink(state),
+  make: async ([recipe]) => (await generators()).make(recipe),
+  thumbnail: async ([circles, name, rings]) => {
     const { thumbnail } = await import('../first-picture.ts')
     return thumbnail((await library()).compute(circles), name, rings)
   },
   catalogue: async () => (await generators()).catalogue(),
-}
-
-port.onmessage = async ({ data: { request, name, args } }) => {
-  try {
-    const value = await (calls[name] as (...args: readonly unknown[]) => unknown)(...args)
-    port.postMessage({ request, value })
-  } catch (error) {
-    const { code, circle } =
-      error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: undefined }
-    port.postMessage({ request, error: { code, circle, message: `${reasonOf(error)}.` } })
-  }
-}
+})
 
 async function read(bytes: Uint8Array<ArrayBuffer>, name: string, how: HowRead = {}): Promise<Read> {
   const { skipsInvalid: skipInvalid = false, columns, polygons = [] } = how

@@ -99,8 +99,12 @@ export interface PostedError {
   readonly weights?: Float64Array | undefined
 }
 
-/** Returns an error as plain data. */
-export function postedError({ code, circle, message, weights }: CircleVoronoiError): PostedError {
+/** Returns a caught value as plain data. */
+export function postedError(caught: unknown): PostedError {
+  if (!(caught instanceof CircleVoronoiError)) {
+    return { code: 'internal', circle: undefined, message: `${reasonOf(caught)}.` }
+  }
+  const { code, circle, message, weights } = caught
   return { code, circle, message, weights }
 }
 

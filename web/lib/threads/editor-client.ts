@@ -3,38 +3,38 @@
 import { checkNumber } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
-import { callListener, receivedError, workerFailure } from '../base/errors.ts'
-import { NewestQueue, type Queued } from '../base/newest-queue.ts'
-import type { Certificate, Circle, Int32s, SnapshotData } from '../base/types.ts'
+import { callListener, workerFailure } from '../base/errors.ts'
+import { NewestQueue } from '../base/newest-queue.ts'
+import type { Certificate, Circle, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
 import { DiagramSnapshot } from '../diagram/diagram-snapshot.ts'
 import { checkedCircle, checkedEdits, checkId, type Edit, type EditorStart } from '../wasm/editor.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
-import { startThread, type Thread } from './thread.ts'
+import { Channel } from './channel.ts'
+import { startThread } from './thread.ts'
 import type { AsyncEditorMethods } from './worker-editor.ts'
-import type { EditorCall, Reply } from './worker-messages.ts'
+import type { EditorRequests } from './worker-requests.ts'
+
+type Name = keyof EditorRequests
+/** A method and its arguments. */
+type Call = { readonly [Method in Name]: readonly [name: Method, args: Parameters<EditorRequests[Method]>] }[Name]
 
 /** The client of an editor in another thread. */
 export class EditorClient implements AsyncEditorMethods {
   onchange: ((change: Change) => void) | undefined
-  readonly #thread: Thread
-  /** The calls that have been posted to the thread. */
-  #sent: Queued<EditorCall, unknown>[] = []
-  readonly #queue = new NewestQueue<EditorCall, unknown>()
+  readonly #channel: Channel<EditorRequests>
+  /** The number of calls that the thread has not answered. The others wait in the queue. */
+  #sent = 0
+  readonly #queue = new NewestQueue<Call, unknown>()
   readonly #weights: boolean
   readonly #onEnd: () => void
-  /** The reason why the editor has ended; `undefined` while it is running. */
-  #end: unknown
 
   /** `onEnd` is called when the editor ends. */
   constructor(module: CompiledWasm, weights: boolean, onEnd: () => void) {
     this.#weights = weights
     this.#onEnd = onEnd
-    this.#thread = startThread({
-      onReply: (reply) => this.#receive(reply),
-      onFailure: (cause) => this.#stop(workerFailure(cause)),
-    })
-    this.#thread.post({ module })
+    this.#channel = new Channel(startThread, (cause) => this.#stop(workerFailure(cause)), {})
+    this.#channel.request('start', [module]).catch(() => {})
   }
 
   /** Creates the editor. Must be the first call. */
@@ -54,7 +54,7 @@ export class EditorClient implements AsyncEditorMethods {
 
   async remove(id: number): Promise<Change> {
     checkId(id, 'remove')
-    const change = this.#add<Change>(id, 'remove', id)
+    const change = this.#add(id, 'remove', id)
     // A later replacement must not take the place of the removal.
     this.#queue.settle(id)
     return change
@@ -66,7 +66,7 @@ export class EditorClient implements AsyncEditorMethods {
   }
 
   async apply(edits: Iterable<Edit>): Promise<Change> {
-    return this.#inOrder('apply', checkedEdits(edits, this.#weights))
+    return this.#inOrder('apply', checkedEdits(edits, this.#weights) as readonly Edit[])
   }
 
   async nearest(x: number, y: number, hint: number = NONE): Promise<number> {
@@ -95,7 +95,7 @@ export class EditorClient implements AsyncEditorMethods {
   }
 
   async snapshot(): Promise<DiagramSnapshot> {
-    return new DiagramSnapshot(await this.#inOrder<SnapshotData>('snapshot'))
+    return new DiagramSnapshot(await this.#inOrder('snapshot'))
   }
 
   async certificate(): Promise<Certificate> {
@@ -111,61 +111,59 @@ export class EditorClient implements AsyncEditorMethods {
   }
 
   /** Calls a method after all earlier calls. */
-  #inOrder<Value>(method: string, ...args: unknown[]): Promise<Value> {
+  #inOrder<Method extends Name>(name: Method, ...args: Parameters<EditorRequests[Method]>): Promise<Answer<Method>> {
     this.#queue.settle()
-    return this.#ask(method, ...args)
+    return this.#ask(name, ...args)
   }
 
-  #ask<Value>(method: string, ...args: unknown[]): Promise<Value> {
-    return this.#add(undefined, method, ...args)
+  #ask<Method extends Name>(name: Method, ...args: Parameters<EditorRequests[Method]>): Promise<Answer<Method>> {
+    return this.#add(undefined, name, ...args)
   }
 
   /** Queues a call. If `id` is given, a later call for the same circle replaces this one. */
-  #add<Value>(id: number | undefined, method: string, ...args: unknown[]): Promise<Value> {
-    if (this.#end !== undefined) return Promise.reject(this.#end)
-    const answer = this.#queue.add({ method, args }, id)
+  #add<Method extends Name>(
+    id: number | undefined,
+    name: Method,
+    ...args: Parameters<EditorRequests[Method]>
+  ): Promise<Answer<Method>> {
+    const answer = this.#queue.add([name, args] as unknown as Call, id)
     this.#send()
-    return answer as Promise<Value>
+    return answer as Promise<Answer<Method>>
   }
 
+  /** Sends all calls that wait, once the thread has answered the former ones. */
   #send(): void {
-    if (this.#sent.length > 0) return
-    this.#sent = this.#queue.takeAll()
-    if (this.#sent.length === 0) return
-    this.#thread.keepAlive(true)
-    this.#thread.post({ calls: this.#sent.map(({ work }) => work) })
-  }
-
-  #receive(reply: Reply): void {
-    // After the end, all pending calls have been rejected.
-    if (this.#end !== undefined || !('results' in reply)) return
-    const answered = this.#sent
-    this.#sent = []
-    this.#send()
-    if (this.#sent.length === 0) this.#thread.keepAlive(false)
-    reply.results.forEach((result, k) => {
-      const { work, askers } = answered[k] as Queued<EditorCall, unknown>
-      if ('error' in result) {
-        for (const { reject } of askers) reject(receivedError(result.error))
-        return
-      }
-      if (EDITS.includes(work.method)) callListener(this.onchange, result.value as Change)
-      for (const { resolve } of askers) resolve(result.value)
-    })
+    if (this.#sent > 0) return
+    const calls = this.#queue.takeAll()
+    this.#sent = calls.length
+    for (const { work, askers } of calls) {
+      const [name, args] = work
+      this.#channel
+        .request<Name>(name, args)
+        .finally(() => {
+          this.#sent -= 1
+          this.#send()
+        })
+        .then(
+          (value) => {
+            if (EDITS.includes(name)) callListener(this.onchange, value as Change)
+            for (const { resolve } of askers) resolve(value)
+          },
+          (error) => {
+            for (const { reject } of askers) reject(error)
+          },
+        )
+    }
   }
 
   #stop(reason: unknown): void {
-    if (this.#end !== undefined) return
-    this.#end = reason
+    if (this.#channel.isEnded) return
     this.#onEnd()
-    this.#thread.terminate()
-    const unanswered = [...this.#sent, ...this.#queue.takeAll()]
-    this.#sent = []
-    for (const { askers } of unanswered) {
-      for (const { reject } of askers) reject(reason)
-    }
+    this.#channel.end(reason)
   }
 }
 
+type Answer<Method extends Name> = ReturnType<EditorRequests[Method]>
+
 /** The methods that make a change. */
-const EDITS = ['insert', 'remove', 'replace', 'apply']
+const EDITS: readonly Name[] = ['insert', 'remove', 'replace', 'apply']
