@@ -82,22 +82,22 @@ test('a view is written as an SVG and as a PNG that look alike, and refuses what
       const found = new Promise<void>((resolve) => views.one.on('found', (found) => found?.hull && resolve()))
       views.one.setLayers({ hull: true, dual: true })
       await found
-      const svg = await draw(new Blob([await views.one.toSVG()], { type: 'image/svg+xml' }))
-      const png = await draw(await views.one.toPNG(1))
-      const large = await views.one.toPNG(3)
+      const svg = await draw(new Blob([await views.toSVG(views.one)], { type: 'image/svg+xml' }))
+      const png = await draw(await views.toPNG(views.one, 1))
+      const large = await views.toPNG(views.one, 3)
       let different = 0
       for (let k = 0; k < svg.pixels.length; k++) {
         if (Math.abs((svg.pixels[k] as number) - (png.pixels[k] as number)) > 60) different += 1
       }
       const colors = new Set(Array.from({ length: 3000 }, (_, k) => png.pixels.slice(160 * k, 160 * k + 3).join()))
       // The selection is not part of the picture.
-      const before = await views.one.toSVG()
+      const before = await views.toSVG(views.one)
       const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
       views.one.select([0])
       await marked
       views.one.select([0, 1])
       return {
-        isUnmarked: before === (await views.one.toSVG()),
+        isUnmarked: before === (await views.toSVG(views.one)),
         share: different / svg.pixels.length,
         colors: colors.size,
         width: (await draw(large)).width,
@@ -114,14 +114,14 @@ test('a view is written as an SVG and as a PNG that look alike, and refuses what
     const refused = await page.evaluate(async () => {
       const told: string[] = []
       const reason = (error: Error) => told.push(`${error.name}: ${error.message}`)
-      for (const scale of [0, Number.NaN, 1000]) await views.one.toPNG(scale).catch(reason)
+      for (const scale of [0, Number.NaN, 1000]) await views.toPNG(views.one, scale).catch(reason)
       try {
         views.one.setLayers({ data: 5 as never })
       } catch (error) {
         reason(error as Error)
       }
       await views.other.apply([{ kind: 'remove', id: 1 }])
-      return { told, data: views.one.layers.data, type: (await views.one.toPNG(1)).type }
+      return { told, data: views.one.layers.data, type: (await views.toPNG(views.one, 1)).type }
     })
     expect(refused.told).toEqual([
       'CircleVoronoiError: The scale of a picture is a positive number, not 0.',
@@ -146,9 +146,9 @@ test('what is found stays where circles are refused, and is told to be gone once
     one.setLayers({ hull: true })
     await before
     one.on('found', (found) => told.push(found?.hull?.length))
-    const picture = await one.toSVG()
+    const picture = await views.toSVG(one)
     await one.setCircles(Float64Array.of(0, 0, -1)).catch(() => {})
-    const isSame = picture === (await one.toSVG())
+    const isSame = picture === (await views.toSVG(one))
     const toldMeanwhile = [...told]
     const after = isFound()
     await one.setCircles(Float64Array.of(0, 0, 1, 5, 0, 1))

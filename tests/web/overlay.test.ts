@@ -5,7 +5,7 @@ import type { PathSink } from '../../web/lib/index.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
 import { CircleTable } from '../../web/view/circle-table.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
-import { drawOverlay, isNothingAbove, NOTHING_STANDS_OUT } from '../../web/view/overlay.ts'
+import { drawOverlay, isOverlayEmpty, NOT_HIGHLIGHTED } from '../../web/view/overlay.ts'
 import { commandsOf } from '../../web/view/painter/commands.ts'
 import type { Drawing } from '../../web/view/painter/drawing.ts'
 import type { Style } from '../../web/view/style.ts'
@@ -18,8 +18,8 @@ const STYLE = new Proxy({}, { get: (_, name) => name }) as Style
 const FRAME = { x: 0, y: 0, scale: 10, width: 400, height: 300 }
 const NO_NAMES = { list: [], circles: new CircleTable(new Float64Array()), domain: {} }
 const EMPTY: Above = {
-  ...NOTHING_STANDS_OUT,
-  above: [],
+  ...NOT_HIGHLIGHTED,
+  overlays: [],
   found: undefined,
   layers: DEFAULT_LAYERS,
   names: NO_NAMES,
@@ -84,12 +84,12 @@ function boxOf(points: readonly number[]): number[] {
   return [Math.min(...x), Math.min(...y), Math.max(...x), Math.max(...y)].map((end) => Math.round(10 * end) / 10)
 }
 
-function drawn(above: Partial<Above>, pixelRatio = 1): RecordedDrawing {
+function drawn(content: Partial<Above>, pixelRatio = 1): RecordedDrawing {
   const drawing = new RecordedDrawing()
   const { x, y, scale, width, height } = FRAME
   const [pixels, rows] = [width * pixelRatio, height * pixelRatio]
   const frame = { x, y, scale: scale * pixelRatio, width: pixels, height: rows }
-  drawOverlay(drawing, frame, pixelRatio, STYLE, { ...EMPTY, ...above })
+  drawOverlay(drawing, frame, pixelRatio, STYLE, { ...EMPTY, ...content })
   return drawing
 }
 
@@ -132,15 +132,15 @@ type Box = readonly [left: number, top: number, right: number, bottom: number]
 /** Everything that can be drawn above a picture, alone, with its colors and where they are, in pixels. */
 const THINGS: Record<string, readonly [Partial<Above>, Readonly<Record<string, Box>>]> = {
   'a selected circle': [
-    { marks: { selected: described(), hovered: undefined } },
+    { highlights: { selected: described(), hovered: undefined } },
     { selectedCell: SMALL, selectedDisc: [180, 100, 240, 160], neighborCell: LARGE },
   ],
   'a selected circle under the pointer': [
-    { marks: { selected: described(), hovered: described() } },
+    { highlights: { selected: described(), hovered: described() } },
     { selectedCell: SMALL, selectedDisc: [180, 100, 240, 160], neighborCell: LARGE },
   ],
   'a circle under the pointer': [
-    { marks: { selected: undefined, hovered: described() } },
+    { highlights: { selected: undefined, hovered: described() } },
     { edge: [160, 100, 240, 190] },
   ],
   'a disc that touches circles': [
@@ -196,27 +196,27 @@ const THINGS: Record<string, readonly [Partial<Above>, Readonly<Record<string, B
   ],
   'axes and a grid': [{ layers: withLayers({ grid: true }) }, { edge: [0, 0, 400, 300] }],
   'points of a client': [
-    { above: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 2), dot: 4 }] },
+    { overlays: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 2), dot: 4 }] },
     { red: [206, 126, 224, 144] },
   ],
   'numbers of a client': [
-    { above: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1), numbers: Int32Array.of(7) }] },
+    { overlays: [{ id: 'own', color: 'red', points: Float64Array.of(1, 1), numbers: Int32Array.of(7) }] },
     { red: NOWHERE },
   ],
   'segments of a client': [
-    { above: [{ id: 'own', color: 'red', segments: Float64Array.of(1, 1, 5, 4), dash: [3, 1], width: 2 }] },
+    { overlays: [{ id: 'own', color: 'red', segments: Float64Array.of(1, 1, 5, 4), dash: [3, 1], width: 2 }] },
     { red: [210, 110, 250, 140] },
   ],
   'discs of a client': [
-    { above: [{ id: 'own', color: 'red', discs: Float64Array.of(1, 1, 2, -2, -4, -2), fill: 0.5 }] },
+    { overlays: [{ id: 'own', color: 'red', discs: Float64Array.of(1, 1, 2, -2, -4, -2), fill: 0.5 }] },
     { red: [160, 120, 230, 210] },
   ],
 }
 
 describe('above the picture', () => {
-  it.each(Object.entries(THINGS))('%s is visible alone, in its colors, where it is', (_, [above, places]) => {
-    expect(isNothingAbove({ ...EMPTY, ...above })).toBe(false)
-    const { colors, operations } = drawn(above)
+  it.each(Object.entries(THINGS))('%s is visible alone, in its colors, where it is', (_, [content, places]) => {
+    expect(isOverlayEmpty({ ...EMPTY, ...content })).toBe(false)
+    const { colors, operations } = drawn(content)
     expect(colors).toEqual(new Set(Object.keys(places)))
     for (const [color, place] of Object.entries(places)) {
       const boxes = operations
@@ -240,8 +240,8 @@ describe('above the picture', () => {
   it.each<[string, Partial<Above>, Partial<Above>]>([
     [
       'a selected circle that is hidden',
-      { marks: { selected: described(0), hovered: undefined } },
-      { marks: { selected: described(), hovered: undefined } },
+      { highlights: { selected: described(0), hovered: undefined } },
+      { highlights: { selected: described(), hovered: undefined } },
     ],
     [
       'a new circle that is hidden',
@@ -273,15 +273,15 @@ describe('above the picture', () => {
   })
 
   it('each number of a client is written at its point', () => {
-    const above = [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 3), numbers: Int32Array.of(7, 8) }]
-    expect(drawn({ above }).operations.filter(({ kind }) => kind.startsWith('write'))).toMatchObject([
+    const overlays = [{ id: 'own', color: 'red', points: Float64Array.of(1, 1, 2, 3), numbers: Int32Array.of(7, 8) }]
+    expect(drawn({ overlays }).operations.filter(({ kind }) => kind.startsWith('write'))).toMatchObject([
       { kind: 'write 7 on paper', lengths: [210, 140, expect.any(Number)] },
       { kind: 'write 8 on paper', lengths: [220, 120, expect.any(Number)] },
     ])
   })
 
   it('nothing is drawn where nothing stands out', () => {
-    expect(isNothingAbove(EMPTY)).toBe(true)
+    expect(isOverlayEmpty(EMPTY)).toBe(true)
     expect(drawn({}).operations).toEqual([])
   })
 

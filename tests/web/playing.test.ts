@@ -89,7 +89,7 @@ beforeEach(async () => {
     onproblem: ({ message }) => problems.push(message),
     words: () => words && { refusals: {} as ProblemWords, player: words },
   })
-  drawn = vi.spyOn(figure.view, 'above', 'set')
+  drawn = vi.spyOn(figure.view, 'overlays', 'set')
   await figure.open(scene())
   await go(0)
   await figure.stepping.whenReady()

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A view with its thread, without pixels: what it tells, its layers and its pictures.
 // @vitest-environment happy-dom
+
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { toSVG } from '../../web/view/export.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { mount } from '../../web/view/mount.ts'
 import type { View } from '../../web/view/view.ts'
@@ -138,12 +140,12 @@ describe('layers', () => {
     const pictures: string[] = []
     for (const hasDiagram of [true, false, false, true]) {
       view.hasDiagram = hasDiagram
-      pictures.push(await view.toSVG())
+      pictures.push(await toSVG(view))
     }
     expect([told, pictures[2], pictures[3]]).toEqual([[false, true], pictures[1], pictures[0]])
     expect(pictures[1]?.length).toBeLessThan((pictures[0] as string).length)
     view.setIdentities([], { values: Float64Array.of(0, 0, 0), colors: ['#010203'] })
-    expect(await view.toSVG()).toContain('#010203')
+    expect(await toSVG(view)).toContain('#010203')
   })
 
   it('that are refused change nothing', () => {

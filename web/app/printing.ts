@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { toPrint } from '../view/export.ts'
 import { Paper } from '../view/paper.ts'
 import type { View } from '../view/view.ts'
 
@@ -8,7 +9,7 @@ const MOST_DRAWN = 5000
 /** Prints a drawing, sharp and on white, in place of the pixels of the screen. */
 export function printDrawing(view: View, place: HTMLElement): void {
   const isDrawn = () => view.size.width > 0 && view.circles.count <= MOST_DRAWN
-  const paper = new Paper(place, async () => (isDrawn() ? view.toPrint() : ''))
+  const paper = new Paper(place, async () => (isDrawn() ? toPrint(view) : ''))
   for (const name of ['camera', 'layers', 'diagram', 'found', 'changed'] as const) view.on(name, () => paper.change())
   // The first circles may be there already.
   paper.change()

@@ -14,6 +14,7 @@ import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import { Figure } from '../player/figure.ts'
 import type { DiagramCounts } from '../view/diagram-counts.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
+import { toPNG, toSVG } from '../view/export.ts'
 import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
 import type { FigureLoadOptions } from '../view/load.ts'
 import { Paper } from '../view/paper.ts'
@@ -776,12 +777,12 @@ export class CircleVoronoiElement extends Base {
 
   /** Returns the visible picture, without the selection, as the text of an SVG. */
   async toSVG(): Promise<string> {
-    return (await this.#shownView()).toSVG()
+    return toSVG(await this.#shownView())
   }
 
   /** Returns the visible picture, without the selection, as a PNG with `scale` pixels for each CSS pixel. */
   async toPNG(scale?: number): Promise<Blob> {
-    return (await this.#shownView()).toPNG(scale)
+    return toPNG(await this.#shownView(), scale)
   }
 
   override addEventListener<Name extends keyof CircleVoronoiEventMap>(
@@ -866,7 +867,7 @@ export class CircleVoronoiElement extends Base {
     })
     const { store, editing, view } = this.#figure
     this.#paper = new Paper(paper, async () =>
-      view.size.width === 0 || editing.circles.count > MOST_DRAWN ? '' : view.toSVG(),
+      view.size.width === 0 || editing.circles.count > MOST_DRAWN ? '' : toSVG(view),
     )
     for (const name of ['camera', 'layers', 'diagram', 'style', 'found', 'changed'] as const) {
       view.on(name, () => this.#paper?.change())

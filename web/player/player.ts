@@ -179,7 +179,7 @@ class MethodPlayer implements Player {
     for (const end of this.#unlisten) end()
     this.#resized.disconnect()
     this.#view.hasDiagram = true
-    this.#view.above = []
+    this.#view.overlays = []
     render(nothing, this.#root)
     this.#root.classList.remove('cv-player')
   }
@@ -200,7 +200,7 @@ class MethodPlayer implements Player {
   #load(rest: number): Promise<void> {
     this.#run += 1
     this.#isLoading = true
-    this.#view.above = []
+    this.#view.overlays = []
     const loaded = this.#loaded(this.#run, rest)
     // Callers that need the reason await `ready`; other callers must not cause an unhandled rejection.
     loaded.catch(() => {})
@@ -399,7 +399,7 @@ class MethodPlayer implements Player {
   #drawParts(): void {
     const { trace, steps, step } = this.#now()
     if (trace === undefined) {
-      this.#view.above = []
+      this.#view.overlays = []
       const text = this.#problem || this.#words.running
       render(html`<p class="sentence" role="status">${text}</p>`, this.#root)
       return
@@ -415,7 +415,7 @@ class MethodPlayer implements Player {
     this.#reveal()
     // The overlay is empty at the last step, and while the trace of changed circles is loading.
     const isNothing = step === steps.length - 1 || this.#isLoading
-    this.#view.above = isNothing ? [] : overlayOf(trace, current, state, tested, circles, this.#colorsNow())
+    this.#view.overlays = isNothing ? [] : overlayOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
   /** Scrolls the current line, or the question below a head that scrolls, into the visible part of the player. */

@@ -16,6 +16,7 @@ import { addSegment } from './painter/segment-path.ts'
 import type { Described, GlobalResults, Highlights, Touching, Trial } from './protocol.ts'
 import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
+import { NO_HIGHLIGHTS } from './view-state.ts'
 
 /** The corners of the rectangle in which circles are about to be selected, in pixels. */
 export interface SelectionRectangle {
@@ -62,7 +63,8 @@ export function handleOf({ maxX, minY }: Box, toPixel: (point: Point) => Point):
 
 /** The highlights of the pointer and the selection. */
 export interface OverlayHighlights {
-  readonly marks: Highlights
+  /** The descriptions of the selected and the hovered circle. */
+  readonly highlights: Highlights
   readonly touching: Touching | undefined
   readonly trial: Trial | undefined
   readonly chosen: Chosen | undefined
@@ -71,8 +73,8 @@ export interface OverlayHighlights {
   readonly sketch: Float64Array | undefined
 }
 
-export const NOTHING_STANDS_OUT: OverlayHighlights = {
-  marks: { selected: undefined, hovered: undefined },
+export const NOT_HIGHLIGHTED: OverlayHighlights = {
+  highlights: NO_HIGHLIGHTS,
   touching: undefined,
   trial: undefined,
   chosen: undefined,
@@ -83,7 +85,7 @@ export const NOTHING_STANDS_OUT: OverlayHighlights = {
 /** The contents of the overlay, which is redrawn after each move. */
 export interface OverlayContent extends OverlayHighlights {
   /** The layers of clients, bottom first. */
-  readonly above: readonly OverlayLayer[]
+  readonly overlays: readonly OverlayLayer[]
   readonly found: GlobalResults | undefined
   readonly layers: Layers
   readonly names: Names
@@ -92,8 +94,8 @@ export interface OverlayContent extends OverlayHighlights {
 }
 
 /** Whether the overlay is empty. */
-export function isNothingAbove({
-  marks,
+export function isOverlayEmpty({
+  highlights,
   found,
   touching,
   trial,
@@ -101,13 +103,13 @@ export function isNothingAbove({
   chosen,
   rectangle,
   sketch,
-  above,
+  overlays,
   names,
 }: OverlayContent): boolean {
   const { hull, largestDisc, path } = found ?? {}
   const drawn = [
-    marks.selected,
-    marks.hovered,
+    highlights.selected,
+    highlights.hovered,
     touching,
     trial,
     chosen,
@@ -119,7 +121,7 @@ export function isNothingAbove({
     layers.path,
   ]
   if (layers.grid || (layers.labels && names.list.length > 0)) return false
-  return above.length === 0 && drawn.every((what) => what === undefined)
+  return overlays.length === 0 && drawn.every((what) => what === undefined)
 }
 
 /** Draws the overlay in a frame's pixels. `pixelRatio` is in device pixels per CSS pixel. */
@@ -128,7 +130,7 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { marks, found, touching, trial, layers, names, covered, chosen, rectangle, sketch, above }: OverlayContent,
+  { highlights, found, touching, trial, layers, names, covered, chosen, rectangle, sketch, overlays }: OverlayContent,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -164,7 +166,7 @@ export function drawOverlay(
     height: frame.height / pixelRatio,
   }
   if (layers.grid) drawAxes()
-  const { selected, hovered } = marks
+  const { selected, hovered } = highlights
   if (selected !== undefined && isSeen(style.neighborCell))
     stroke(pathOf(selected.neighborhood), style.neighborCell, NEIGHBOR_OUTLINE)
   if (hovered !== undefined && hovered.id !== selected?.id) {
@@ -179,7 +181,7 @@ export function drawOverlay(
     fill(dot(end, HANDLE_RADIUS - 1), style.paper)
     stroke(dot(end, HANDLE_RADIUS - 1), style.path, PATH_LINE)
   }
-  for (const layer of above) drawData(layer)
+  for (const layer of overlays) drawData(layer)
   if (selected !== undefined) drawSelected(selected)
   if (layers.labels) drawNames()
   if (chosen !== undefined) drawChosen(chosen)

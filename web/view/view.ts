@@ -4,6 +4,7 @@ import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { type Camera, NO_PADDING, type Padding, type Size, toPlane, toScreen } from './camera.ts'
 import { type Chosen, chosenOf } from './chosen.ts'
 import type { CircleTable, Hit, KeptIds } from './circle-table.ts'
+import { Events } from './events.ts'
 import type { Name, Names } from './labels.ts'
 import {
   checkLayers,
@@ -15,40 +16,31 @@ import {
   type PaintedLayers,
   withoutDiagram,
 } from './layers.ts'
-import { scaleOnScreen } from './on-screen.ts'
 import {
   drawOverlay,
   HANDLE_RADIUS,
   handleOf,
-  isNothingAbove,
-  NOTHING_STANDS_OUT,
+  isOverlayEmpty,
+  NOT_HIGHLIGHTED,
   type OverlayContent,
   type OverlayHighlights,
   type SelectionRectangle,
 } from './overlay.ts'
-import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
-import type { Frame } from './painter/frame.ts'
+import { CanvasDrawing } from './painter/drawing.ts'
 import type { Painter } from './painter.ts'
-import { pictureFrame } from './picture-frame.ts'
 import type { DomainChange, GlobalResults, Highlights, Questions, Touching, Trial } from './protocol.ts'
-import { Failure, Superseded } from './refusal.ts'
+import { Superseded } from './refusal.ts'
 import type { Answer, Edited, Lost, SceneClient } from './scene-client.ts'
+import { Screen } from './screen.ts'
 import type { Store } from './store.ts'
-import { isDark, readStyle, type Style } from './style.ts'
-import { svgPicture, titlesOf } from './svg-picture.ts'
+import type { Style } from './style.ts'
 import { NO_HIGHLIGHTS, selectedIn, type ViewState } from './view-state.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const REST = 80
 
-/** Transforms below this scale leave the resolution as it is; larger ones increase it. */
-const LEAST_ENLARGED = 1.05
-const MOST_SHARPENED = 4
-
 /** The parts of the state that the overlay shows. */
 const DRAWN_ABOVE = ['camera', 'layers', 'selection', 'highlights', 'found'] as const
-
-const notDrawn = () => new Failure((words) => words.notDrawn)
 
 /** The events of a view. */
 export interface ViewEvents {
@@ -72,23 +64,12 @@ export interface ViewEvents {
   readonly failed: Error
 }
 
-/** A part of the plane, and the size in which to export it. */
-export interface ExportView {
-  readonly camera: Camera
-  readonly size: Size
-}
-
 /** Shows circles and their diagram in an element of a page, seen by a camera. */
 export class View {
-  readonly #container: HTMLElement
-  readonly #base: HTMLCanvasElement
-  readonly #overlay: HTMLCanvasElement
+  readonly #screen: Screen
   readonly #picture = new BasePicture()
   readonly #scene: SceneClient
   readonly #store: Store<ViewState>
-  readonly #observer: ResizeObserver
-  #style: Style
-  #size: Size = { width: 0, height: 0 }
   #frame = 0
   #rest: ReturnType<typeof setTimeout> | undefined
   /** The scale of the last paint request, and the scale of the highlighted outlines. */
@@ -103,13 +84,11 @@ export class View {
   #chosen: { readonly drawn: Chosen | undefined } | undefined
   #rectangle: SelectionRectangle | undefined
   #sketch: Float64Array | undefined
-  #above: readonly OverlayLayer[] = []
+  #overlays: readonly OverlayLayer[] = []
   #baseChanged = false
   #overlayChanged = false
   /** Whether the overlay is empty and needs no clearing. */
   #isOverlayEmpty = true
-  #isShown = true
-  #scale = 1
   #hasDiagram = true
   #names: readonly Name[] = []
   #ownColors: OwnColors | undefined
@@ -117,19 +96,25 @@ export class View {
   /** The borders of the picture that something covers. */
   covered: () => Padding = () => NO_PADDING
 
-  readonly #listeners = new Map<keyof ViewEvents, Set<(event: never) => void>>()
+  readonly #events = new Events<ViewEvents>()
   readonly #ondispose: () => void
-  readonly #watching = new AbortController()
+  readonly #unsubscribe: readonly (() => void)[]
+  #isDisposed = false
 
   /** `ondispose` is called when the view is disposed of. */
   constructor(container: HTMLElement, painter: Painter, store: Store<ViewState>, ondispose = () => {}) {
     this.#store = store
     this.#ondispose = ondispose
-    container.classList.add('circle-voronoi')
-    this.#container = container
-    this.#base = container.appendChild(document.createElement('canvas'))
-    this.#overlay = container.appendChild(document.createElement('canvas'))
-    this.#style = this.#readStyle()
+    this.#screen = new Screen(container, {
+      resized: () => this.#drawAll(),
+      restyled: () => {
+        this.#picture.clear()
+        this.#see()
+        this.#overlayChanges()
+        this.#events.tell('style', undefined)
+      },
+      printed: () => this.#drawOverlay(),
+    })
     this.#scene = painter.add({
       painted: (painted) => {
         const { painted: before } = this.#picture
@@ -144,20 +129,11 @@ export class View {
       marked: (highlights) => {
         this.#outlinedAt = this.#lookedAt
         this.#update({ highlights })
-        this.#tell('marked', highlights)
+        this.#events.tell('marked', highlights)
       },
       found: (found) => this.#findingChanges(found),
       failed: (error, lost) => this.#drawingFailed(error, lost),
     })
-    this.#observer = new ResizeObserver(() => this.#sizeChanges())
-    this.#observer.observe(container)
-    this.#watchSurroundings()
-    this.#resize()
-    const { signal } = this.#watching
-    signal.addEventListener(
-      'abort',
-      store.watch((state, before) => this.#follow(state, before)),
-    )
     let [selected, hovered]: (number | undefined)[] = []
     const mark = (state: ViewState) => {
       if (selectedIn(state) === selected && state.hovered === hovered) return
@@ -165,7 +141,8 @@ export class View {
       hovered = state.hovered
       this.#scene.mark(selected, hovered)
     }
-    signal.addEventListener('abort', store.subscribe(mark))
+    this.#unsubscribe = [store.watch((state, before) => this.#follow(state, before)), store.subscribe(mark)]
+    this.#drawAll()
   }
 
   /** Changes the state. `#follow` draws it. */
@@ -177,9 +154,9 @@ export class View {
   #follow(state: ViewState, before: ViewState): void {
     if (state.selection !== before.selection) this.#chosen = undefined
     if (state.layers !== before.layers) {
-      if (isPathOnly(state.layers, before.layers)) this.#scene.findAgain(this.#drawnLayers)
+      if (isPathOnly(state.layers, before.layers)) this.#scene.findAgain(this.drawnLayers)
       else this.#drawLayers()
-      this.#tell('layers', state.layers)
+      this.#events.tell('layers', state.layers)
     }
     if (state.camera !== before.camera) this.#cameraChanges()
     if (DRAWN_ABOVE.some((name) => state[name] !== before[name])) this.#overlayChanges()
@@ -223,9 +200,7 @@ export class View {
 
   /** Subscribes to an event, and returns a function that unsubscribes. */
   on<Name extends keyof ViewEvents>(name: Name, listener: (event: ViewEvents[Name]) => void): () => void {
-    const listeners = this.#listeners.get(name) ?? new Set()
-    this.#listeners.set(name, listeners.add(listener))
-    return () => listeners.delete(listener)
+    return this.#events.on(name, listener)
   }
 
   get camera(): Camera {
@@ -233,7 +208,7 @@ export class View {
   }
 
   get size(): Size {
-    return this.#size
+    return this.#screen.size
   }
 
   setCamera(camera: Camera): void {
@@ -242,9 +217,9 @@ export class View {
 
   #cameraChanges(): void {
     const { camera } = this
-    this.#tell('camera', camera)
+    this.#events.tell('camera', camera)
     this.#baseChanged = true
-    if (this.#picture.isSharp(camera, this.#pixelRatio)) {
+    if (this.#picture.isSharp(camera, this.#screen.pixelRatio)) {
       this.#see()
     } else {
       clearTimeout(this.#rest)
@@ -286,7 +261,7 @@ export class View {
     if (hasDiagram === this.#hasDiagram) return
     this.#hasDiagram = hasDiagram
     this.#drawLayers()
-    this.#tell('diagram', hasDiagram)
+    this.#events.tell('diagram', hasDiagram)
   }
 
   /** The names of circles, the most important first, and their own colors. */
@@ -299,7 +274,8 @@ export class View {
     this.#overlayChanges()
   }
 
-  get #drawnLayers(): PaintedLayers {
+  /** The layers as the thread draws them. */
+  get drawnLayers(): PaintedLayers {
     const shown = this.#hasDiagram ? this.layers : withoutDiagram(this.layers)
     return this.#ownColors === undefined ? shown : { ...shown, ownColors: this.#ownColors }
   }
@@ -315,9 +291,9 @@ export class View {
   }
 
   #drawLayers(): void {
-    this.#scene.setLayers(this.#drawnLayers)
-    const request = this.#isShown ? this.#picture.again(this.camera, this.#size) : undefined
-    if (request !== undefined) this.#scene.look(request, this.#style)
+    this.#scene.setLayers(this.drawnLayers)
+    const request = this.isShown ? this.#picture.again(this.camera, this.size) : undefined
+    if (request !== undefined) this.#scene.look(request, this.style)
     this.#overlayChanges()
   }
 
@@ -325,7 +301,7 @@ export class View {
   async showDisc(point: Point | undefined, slack: number): Promise<void> {
     this.#touchedAt = point
     const touching =
-      point === undefined || !this.#drawnLayers.disc
+      point === undefined || !this.drawnLayers.disc
         ? undefined
         : await this.#scene.ask('touch', point.x, point.y, slack)
     if (this.#touchedAt !== point || touching === this.#touching) return
@@ -341,15 +317,15 @@ export class View {
     if (turn !== this.#lastTrial || trial === this.#trial) return
     this.#trial = trial
     this.#overlayChanges()
-    this.#tell('tried', trial)
+    this.#events.tell('tried', trial)
   }
 
   /** The end of the path at a pixel. */
   pathEndAt(point: Point, slack: number): 'from' | 'to' | undefined {
-    const { path } = this.#drawnLayers
+    const { path } = this.drawnLayers
     if (path === undefined) return undefined
     return (['to', 'from'] as const).find((end) => {
-      const { x, y } = toScreen(this.camera, this.#size, path[end])
+      const { x, y } = this.toScreen(path[end])
       return Math.hypot(x - point.x, y - point.y) < HANDLE_RADIUS + slack
     })
   }
@@ -360,63 +336,14 @@ export class View {
     if (path !== undefined) this.#update({ layers: { ...this.layers, path: { ...path, [end]: point } } })
   }
 
-  /** Returns the visible part, or another one, as SVG text in the colors for white paper. */
-  toPrint(shot: ExportView = this): Promise<string> {
-    const { style } = this.#container
-    const before = style.colorScheme
-    style.colorScheme = 'light'
-    const light = { ...readStyle(this.#container), paper: '#ffffff' }
-    style.colorScheme = before
-    return this.toSVG(shot, light)
-  }
-
-  /** Returns the visible part, or another one, as SVG text without selection. */
-  async toSVG({ camera, size }: ExportView = this, style = this.#style): Promise<string> {
-    const frame = { ...camera, ...size }
-    const drawn = await this.#scene.ask('svg', frame, style, titlesOf(this.#named, this.#above))
-    if (drawn === undefined) throw notDrawn()
-    return svgPicture(frame, drawn, style, this.#drawnLayers, this.#named, this.#above)
-  }
-
-  /**
-   * Returns the visible part, or another one, as a PNG of `scale` pixels per CSS pixel.
-   * @throws CircleVoronoiError `badInput` if the picture is too large for browsers
-   */
-  async toPNG(scale = devicePixelRatio, { camera, size }: ExportView = this): Promise<Blob> {
-    const frame = pictureFrame(camera, size, scale)
-    const image = await this.#scene.ask('image', frame, scale, this.#style)
-    if (image === undefined) throw notDrawn()
-    const canvas = new OffscreenCanvas(frame.width, frame.height)
-    const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-    context.drawImage(image, 0, 0)
-    image.close()
-    this.#drawAbove(new CanvasDrawing(context), frame, scale)
-    return canvas.convertToBlob({ type: 'image/png' })
-  }
-
-  /** Returns a video stream of the canvas. Stopping its track ends it. */
-  stream(): MediaStream {
-    const { width, height } = this.#base
-    const canvas = Object.assign(document.createElement('canvas'), { width, height })
-    const context = canvas.getContext('2d') as CanvasRenderingContext2D
-    const stream = canvas.captureStream()
-    const draw = () => {
-      if (stream.getTracks().every(({ readyState }) => readyState === 'ended')) return
-      for (const layer of [this.#base, this.#overlay]) context.drawImage(layer, 0, 0, width, height)
-      requestAnimationFrame(draw)
-    }
-    draw()
-    return stream
-  }
-
   /** The pixel of a point of the plane. */
   toScreen(point: Point): Point {
-    return toScreen(this.camera, this.#size, point)
+    return toScreen(this.camera, this.size, point)
   }
 
   /** The point of the plane at a pixel. */
   toPlane(point: Point): Point {
-    return toPlane(this.camera, this.#size, point)
+    return toPlane(this.camera, this.size, point)
   }
 
   /** The selected circle, if exactly one is selected. */
@@ -448,8 +375,12 @@ export class View {
   }
 
   /** Additional layers above the picture, bottom first. They appear at the next frame without repainting. */
-  set above(layers: readonly OverlayLayer[]) {
-    this.#above = layers
+  get overlays(): readonly OverlayLayer[] {
+    return this.#overlays
+  }
+
+  set overlays(layers: readonly OverlayLayer[]) {
+    this.#overlays = layers
     this.#overlayChanges()
   }
 
@@ -458,86 +389,54 @@ export class View {
     const chosen = this.#drawnSelection
     if (chosen === undefined) return undefined
     const { box } = chosen
-    const { x, y } = handleOf(box, (corner) => toScreen(this.camera, this.#size, corner))
+    const { x, y } = handleOf(box, (corner) => this.toScreen(corner))
     if (Math.hypot(x - point.x, y - point.y) > HANDLE_RADIUS + slack) return undefined
     return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 }
   }
 
-  /** Whether the view has a visible size. */
+  /** Whether the view has pixels. */
   get isShown(): boolean {
-    return this.#isShown
+    return this.#screen.isShown
   }
 
   set isShown(isShown: boolean) {
-    if (isShown === this.#isShown) return
-    this.#isShown = isShown
+    if (isShown === this.isShown) return
     if (!isShown) this.#picture.clear()
-    this.#resize()
+    this.#screen.isShown = isShown
   }
 
   /** Reads the container's style again after a change. */
   restyle(): void {
-    this.#style = this.#readStyle()
-    this.#picture.clear()
-    this.#see()
-    this.#overlayChanges()
-    this.#tell('style', undefined)
+    this.#screen.restyle()
   }
 
-  #readStyle(): Style {
-    const style = readStyle(this.#container)
-    // Print styles use this attribute, because paper is light.
-    this.#container.toggleAttribute('data-dark', isDark(style))
-    return style
+  get style(): Style {
+    return this.#screen.style
+  }
+
+  /** The style on white paper. */
+  get printStyle(): Style {
+    return this.#screen.printStyle
+  }
+
+  /** The canvases of the picture and of the overlay. */
+  get canvases(): readonly [HTMLCanvasElement, HTMLCanvasElement] {
+    return [this.#screen.base, this.#screen.overlay]
   }
 
   /** Ends all requests silently. */
   dispose(): void {
-    for (const listeners of this.#listeners.values()) listeners.clear()
-    this.#observer.disconnect()
+    this.#isDisposed = true
+    this.#events.end()
+    for (const end of this.#unsubscribe) end()
     cancelAnimationFrame(this.#frame)
     clearTimeout(this.#rest)
-    this.#watching.abort()
     this.#scene.close()
     this.#ondispose()
-    this.#base.remove()
-    this.#overlay.remove()
+    this.#screen.dispose()
   }
 
-  /**
-   * Prints the screen's picture scaled (theme.css), because printing does not wait for a picture in the paper's size
-   * and resolution.
-   */
-  #sizeChanges(): void {
-    if (!matchMedia('print').matches) this.#resize()
-  }
-
-  /** Device pixels per CSS pixel of the container. */
-  get #pixelRatio(): number {
-    return devicePixelRatio * this.#scale
-  }
-
-  /** The scale of transforms and zoom around the container. Reductions keep the resolution. */
-  #scaleOnScreen(): number {
-    const scale = scaleOnScreen(this.#container)
-    return scale > LEAST_ENLARGED ? Math.min(scale, MOST_SHARPENED) : 1
-  }
-
-  /** Transforms cause no event, so the scale is checked at each drawing and when the window changes. */
-  #checkScale(): void {
-    if (matchMedia('print').matches) return
-    const ratio = this.#scaleOnScreen() / this.#scale
-    if (Math.max(ratio, 1 / ratio) > LEAST_ENLARGED) this.#resize()
-  }
-
-  #resize(): void {
-    this.#size = { width: this.#container.clientWidth, height: this.#container.clientHeight }
-    this.#scale = this.#scaleOnScreen()
-    const pixels = this.#isShown ? this.#pixelRatio : 0
-    for (const canvas of [this.#base, this.#overlay]) {
-      canvas.width = Math.round(this.#size.width * pixels)
-      canvas.height = Math.round(this.#size.height * pixels)
-    }
+  #drawAll(): void {
     this.#baseChanged = true
     this.#overlayChanged = true
     this.#see()
@@ -545,37 +444,40 @@ export class View {
   }
 
   #see(): void {
-    if (!this.#isShown || this.#size.width === 0 || this.#size.height === 0) return
-    const request = this.#picture.see(this.camera, this.#size, this.#pixelRatio)
+    if (!this.#screen.isPainted) return
+    const request = this.#picture.see(this.camera, this.size, this.#screen.pixelRatio)
     if (request === undefined) return
     this.#lookedAt = this.camera.scale
-    this.#scene.look(request, this.#style)
+    this.#scene.look(request, this.style)
   }
 
   #schedule(): void {
-    const isDisposed = this.#watching.signal.aborted
-    if (this.#frame === 0 && !isDisposed) this.#frame = requestAnimationFrame(() => this.#draw())
+    if (this.#frame === 0 && !this.#isDisposed) this.#frame = requestAnimationFrame(() => this.#draw())
   }
 
   #draw(): void {
     this.#frame = 0
-    if (!this.#isShown) return
-    this.#checkScale()
+    if (!this.isShown) return
+    this.#screen.checkScale()
     if (this.#baseChanged) {
-      const context = this.#base.getContext('2d') as CanvasRenderingContext2D
-      this.#picture.draw(context, this.camera, this.#size, this.#pixelRatio)
+      const context = this.#screen.base.getContext('2d') as CanvasRenderingContext2D
+      this.#picture.draw(context, this.camera, this.size, this.#screen.pixelRatio)
       this.#baseChanged = false
     }
-    this.#container.ariaBusy = String(!this.#picture.isWhole || !this.#picture.isSharp(this.camera, this.#pixelRatio))
+    this.#screen.isBusy = !this.#picture.isWhole || !this.#picture.isSharp(this.camera, this.#screen.pixelRatio)
     if (this.#overlayChanged) this.#drawOverlay()
     this.#overlayChanged = false
   }
 
   /** The highlights on screen. Paper shows none. */
-  get #standingOut(): OverlayHighlights {
-    if (matchMedia('print').matches) return NOTHING_STANDS_OUT
+  get #highlights(): OverlayHighlights {
+    if (matchMedia('print').matches) return NOT_HIGHLIGHTED
+    const { highlights } = this.#store.get()
+    // Outlines of cells were clipped to the old viewport, and are too coarse after zooming in.
+    const enlarged = this.camera.scale / this.#outlinedAt
+    const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
     return {
-      marks: this.#store.get().highlights,
+      highlights: hasOutlines ? highlights : withoutCells(highlights),
       touching: this.#touching,
       trial: this.#trial,
       chosen: this.#drawnSelection,
@@ -584,36 +486,30 @@ export class View {
     }
   }
 
+  /** The names of circles, and what places them. */
+  get names(): Names {
+    return { list: this.#names, circles: this.circles, domain: this.#scene.domain }
+  }
+
+  /** The overlay without highlights. */
+  get overlayContent(): OverlayContent {
+    const { drawnLayers: layers, names, overlays } = this
+    return { ...NOT_HIGHLIGHTED, found: this.#store.get().found, layers, names, overlays, covered: NO_PADDING }
+  }
+
   #drawOverlay(): void {
     const { painted } = this.#picture
-    const names = painted === undefined ? { ...this.#named, list: [] } : { ...this.#named, within: painted }
-    const above = { ...this.#aboveOf(this.#standingOut, this.covered()), names }
-    const isEmpty = isNothingAbove(above)
+    const names = painted === undefined ? { ...this.names, list: [] } : { ...this.names, within: painted }
+    const content = { ...this.overlayContent, ...this.#highlights, names, covered: this.covered() }
+    const isEmpty = isOverlayEmpty(content)
     if (isEmpty && this.#isOverlayEmpty) return
     this.#isOverlayEmpty = isEmpty
-    const context = this.#overlay.getContext('2d') as CanvasRenderingContext2D
-    const { width, height } = this.#overlay
-    const ratio = this.#pixelRatio
+    const context = this.#screen.overlay.getContext('2d') as CanvasRenderingContext2D
+    const { width, height } = this.#screen.overlay
+    const ratio = this.#screen.pixelRatio
     const frame = { x: this.camera.x, y: this.camera.y, scale: this.camera.scale * ratio, width, height }
     context.clearRect(0, 0, width, height)
-    drawOverlay(new CanvasDrawing(context), frame, ratio, this.#style, above)
-  }
-
-  #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number): void {
-    drawOverlay(drawing, frame, pixelRatio, this.#style, this.#aboveOf(NOTHING_STANDS_OUT, NO_PADDING))
-  }
-
-  #aboveOf(standingOut: OverlayHighlights, covered: Padding): OverlayContent {
-    // Outlines of cells were clipped to the old viewport, and are too coarse after zooming in.
-    const enlarged = this.camera.scale / this.#outlinedAt
-    const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
-    const marks = hasOutlines ? standingOut.marks : withoutCells(standingOut.marks)
-    const [layers, names] = [this.#drawnLayers, this.#named]
-    return { found: this.#store.get().found, layers, names, covered, above: this.#above, ...standingOut, marks }
-  }
-
-  get #named(): Names {
-    return { list: this.#names, circles: this.circles, domain: this.#scene.domain }
+    drawOverlay(new CanvasDrawing(context), frame, ratio, this.style, content)
   }
 
   /** Continues with a new thread, without the possible cause of the failure. */
@@ -621,21 +517,17 @@ export class View {
     // The failed request may have been one for highlights.
     if (marks) this.#update({ highlights: NO_HIGHLIGHTS, selection: [], hovered: undefined })
     if (layers) this.setLayers(DEFAULT_LAYERS)
-    this.#tell('failed', error)
+    this.#events.tell('failed', error)
   }
 
   #findingChanges(found: GlobalResults | undefined): void {
     if (found !== this.#store.get().found) this.#update({ found })
-    this.#tell('found', found)
+    this.#events.tell('found', found)
   }
 
   #overlayChanges(): void {
     this.#overlayChanged = true
     this.#schedule()
-  }
-
-  #tell<Name extends keyof ViewEvents>(name: Name, event: ViewEvents[Name]): void {
-    for (const listener of this.#listeners.get(name) ?? []) listener(event as never)
   }
 
   /** Reports the result of an edit as an event, too. */
@@ -644,40 +536,13 @@ export class View {
       (outcome) => {
         this.#chosen = undefined
         this.#overlayChanges()
-        this.#tell('changed', outcome)
+        this.#events.tell('changed', outcome)
       },
       (error: Error) => {
-        if (!(error instanceof Superseded)) this.#tell('refused', error)
+        if (!(error instanceof Superseded)) this.#events.tell('refused', error)
       },
     )
     return edited
-  }
-
-  /** Follows changes of the color scheme, system colors, style sheets and the screen's resolution. */
-  #watchSurroundings(): void {
-    const { signal } = this.#watching
-    // WebKit may run modules before style sheets are loaded.
-    const restyleBy = ({ target }: Event) => {
-      if (target instanceof HTMLLinkElement && target.relList.contains('stylesheet')) this.restyle()
-    }
-    document.addEventListener('load', restyleBy, { capture: true, signal })
-    for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
-      matchMedia(query).addEventListener('change', () => this.restyle(), { signal })
-    }
-    // Printing shows the pixels painted so far.
-    matchMedia('print').addEventListener('change', () => this.#drawOverlay(), { signal })
-    // Other listeners of the same event may set a transform first.
-    const check = () => requestAnimationFrame(() => this.#checkScale())
-    for (const name of ['resize', 'transitionend']) addEventListener(name, check, { signal })
-    const watchPixels = () => {
-      const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
-      const change = () => {
-        this.#sizeChanges()
-        watchPixels()
-      }
-      query.addEventListener('change', change, { signal, once: true })
-    }
-    watchPixels()
   }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { mountEdited } from '../../../web/editing/edited-view.ts'
 import { EditorActions } from '../../../web/editing/editor-actions.ts'
 import { listenToPointer } from '../../../web/editing/pointer.ts'
+import { toPNG, toSVG } from '../../../web/view/export.ts'
 import { mount } from '../../../web/view/mount.ts'
 import type { View } from '../../../web/view/view.ts'
 
@@ -22,6 +24,8 @@ export interface TwoViews {
   one: View
   other: View
   mount: typeof mount
+  toSVG: typeof toSVG
+  toPNG: typeof toPNG
 }
 
-Object.assign(globalThis, { views: { one, other, mount } })
+Object.assign(globalThis, { views: { one, other, mount, toSVG, toPNG } })

@@ -13,10 +13,11 @@ import type { LinkFrame, LinkInput } from '../../lib/link.ts'
 import { plainRegion } from '../../lib/regions/region-shape.ts'
 import { fitted, toPlane } from '../../view/camera.ts'
 import { boxOf } from '../../view/domain.ts'
+import { type ExportView, toPNG, toPrint, toSVG } from '../../view/export.ts'
 import { readRegion } from '../../view/region-text.ts'
 import { short } from '../../view/short.ts'
 import type { Store } from '../../view/store.ts'
-import type { ExportView, View } from '../../view/view.ts'
+import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { labelOf, sourceOf } from '../data-sets.ts'
 import type { LinkWriter } from '../link-writer.ts'
@@ -112,7 +113,7 @@ export class FileActions {
     const scale = LONGEST_SIDE / Math.max(width, height)
     const size = { width: Math.round(width * scale), height: Math.round(height * scale) }
     const camera = { x: width / 2, y: height / 2, scale }
-    await this.#try(async () => save(await this.#view.toPNG(1, { camera, size }), 'photo-circles.png'))
+    await this.#try(async () => save(await toPNG(this.#view, 1, { camera, size }), 'photo-circles.png'))
   }
 
   /** Opens circles, and polygons of the same file as their region. */
@@ -310,7 +311,7 @@ export class FileActions {
   async saveDrawing(part: Part): Promise<void> {
     await this.#try(async () => {
       const shot = this.#shotOf(part)
-      const [drawing, link] = [await this.#view.toSVG(shot), await this.#link()]
+      const [drawing, link] = [await toSVG(this.#view, shot), await this.#link()]
       const svg = link !== '' ? withLink(drawing, link) : withTable(drawing, await this.#csv())
       save(new Blob([svg], { type: 'image/svg+xml' }), `${this.#name}.svg`)
       toast(extentOf(shot))
@@ -321,7 +322,7 @@ export class FileActions {
   async savePicture(part: Part, scale: number): Promise<void> {
     const shot = this.#shotOf(part)
     await this.#try(async () => {
-      save(await this.#view.toPNG(scale, shot), `${this.#name}.png`)
+      save(await toPNG(this.#view, scale, shot), `${this.#name}.png`)
       toast(extentOf(shot))
     })
   }
@@ -334,7 +335,7 @@ export class FileActions {
     const scale = Math.min(across / size.width, down / size.height)
     const sheet = { camera, size: { width: across / scale, height: down / scale } }
     await this.#try(async () => {
-      save(await this.#view.toPNG(scale, sheet), `${this.#name}-poster.png`)
+      save(await toPNG(this.#view, scale, sheet), `${this.#name}-poster.png`)
       toast(extentOf(sheet))
     })
   }
@@ -347,7 +348,7 @@ export class FileActions {
       const box = boxOf(this.#editing.circles.box(), this.#editing.domain)
       const camera = fitted(box, size, { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM })
       const title = labelOf(dataSetName(this.#store.get())) || 'Voronoi diagram of circles'
-      save(await cardOf(await this.#view.toPNG(1, { camera, size }), title, location.host), `${this.#name}-card.png`)
+      save(await cardOf(await toPNG(this.#view, 1, { camera, size }), title, location.host), `${this.#name}-card.png`)
     })
   }
 
@@ -411,7 +412,7 @@ export class FileActions {
       const { check, lang = 'en' } = frame
       const [link, key, facts] = await Promise.all([
         this.#shortLink(state),
-        this.#view.toPrint(shot),
+        toPrint(this.#view, shot),
         this.#view.ask('tell', check === undefined ? [] : idsOf(check)),
         loadWords(lang),
       ])

@@ -3,8 +3,8 @@ import { encode } from 'uqr'
 import type { Circle } from '../../lib/index.ts'
 import type { LinkFrame } from '../../lib/link.ts'
 import { toScreen } from '../../view/camera.ts'
+import type { ExportView } from '../../view/export.ts'
 import { parsedSvg } from '../../view/parsed-svg.ts'
-import type { ExportView } from '../../view/view.ts'
 import './worksheet.css'
 
 /** Letters of an address that a code on paper can hold so that a phone reads it. */

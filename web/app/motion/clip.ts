@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { State } from '../../editing/state.ts'
+import { streamOf } from '../../view/export.ts'
 import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
@@ -30,7 +31,7 @@ export async function recordClip(
     if (step === undefined) {
       motion.start('breathe')
       if (!motion.isMoving) return undefined
-      return await filmed(view.stream(), BREATH).finally(() => motion.cancel())
+      return await filmed(streamOf(view), BREATH).finally(() => motion.cancel())
     }
     const begin = performance.now()
     const timer = setInterval(() => {
@@ -38,7 +39,7 @@ export async function recordClip(
       actions.showStep(Math.round(share * (steps - 1)))
     }, 1000 / RATE)
     actions.showStep(0)
-    return await filmed(view.stream(), PLAYED).finally(() => {
+    return await filmed(streamOf(view), PLAYED).finally(() => {
       clearInterval(timer)
       actions.showStep(step)
     })

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { html } from 'lit/html.js'
+import { streamOf } from '../../view/export.ts'
 import type { View } from '../../view/view.ts'
 import { save } from '../files/saving.ts'
 import { filmed } from '../motion/film.ts'
@@ -29,7 +31,7 @@ export function mountMotion(motion: Motion, view: View, actions: PageActions): v
     isRecording = true
     draw()
     try {
-      const { film, ending } = await filmed(view.stream(), RECORDED)
+      const { film, ending } = await filmed(streamOf(view), RECORDED)
       save(film, `circles-${chosen}${ending}`)
     } catch (error) {
       actions.complain((error as Error).message)
