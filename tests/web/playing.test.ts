@@ -8,7 +8,7 @@ import { testedAt } from '../../web/player/discs.ts'
 import { sentenceOf } from '../../web/player/sentences.ts'
 import { type Colors, circlesAt, overlayOf, PLAYER_COLORS } from '../../web/player/step-overlay.ts'
 import { concerns, kindOf, type Step, stepsOf } from '../../web/player/steps.ts'
-import { ENGLISH_PLAYER as WORDS } from '../../web/player/words.ts'
+import { type PlayerWords, ENGLISH_PLAYER as WORDS } from '../../web/player/words.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { traced } from '../../web/view/painter/traced.ts'
 import { all, control, controls, send, textOf } from './page-document.ts'
@@ -19,7 +19,7 @@ const SIX = Float64Array.of(0, 0, 2, 10, 1, 1, 5, 8, 1.5, 2, 6, 0.8, 9, 6, 2.2, 
 const MANY = Float64Array.from({ length: 3003 }, (_, k) => [k, 0, 0.1][k % 3] as number)
 let library: typeof import('./library.ts')['library']
 let figure: ReturnType<typeof newFigure>
-let words: typeof WORDS | undefined
+let words: PlayerWords | undefined
 /** Notes what the player draws on the picture. */
 let drawn: { readonly mock: { readonly lastCall?: readonly unknown[] | undefined } }
 const above = () => drawn.mock.lastCall?.[0]

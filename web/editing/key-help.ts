@@ -3,16 +3,8 @@
 /** The names of keys, and their action. */
 export type KeyRow = readonly [keys: string, action: string]
 
-/** The keyboard shortcuts of a figure (`keyboard.ts`) in one language. */
-export interface KeyHelp {
-  readonly select: Readonly<Record<'one' | 'next' | 'neighbor' | 'all' | 'zoom', KeyRow>>
-  readonly edit: Readonly<Record<'add' | 'move' | 'resize' | 'remove' | 'duplicate' | 'undo' | 'snap', KeyRow>>
-  readonly look: Readonly<Record<'pan' | 'zoom' | 'fit', KeyRow>>
-  /** Introduces `look`, the keys of a figure without a selection. */
-  readonly withoutSelection: string
-}
-
-export const ENGLISH_KEYS: KeyHelp = {
+/** The keyboard shortcuts of a figure (`keyboard.ts`). */
+export const ENGLISH_KEYS = {
   select: {
     one: ['Enter', 'select a circle'],
     next: ['Tab, Shift + Tab', 'the next one, the one before'],
@@ -34,8 +26,11 @@ export const ENGLISH_KEYS: KeyHelp = {
     zoom: ['+ −', 'zoom'],
     fit: ['0', 'show everything; again: leave out what lies far outside'],
   },
+  /** Introduces `look`, the keys of a figure without a selection. */
   withoutSelection: 'Without a selection:',
-}
+} satisfies Record<string, Readonly<Record<string, KeyRow>> | string>
+
+export type KeyHelp = typeof ENGLISH_KEYS
 
 /** Lists all keyboard shortcuts as text for screen readers. `more` holds additional shortcuts of the page. */
 export function spokenKeys(help: KeyHelp, isReadonly: boolean, more: readonly KeyRow[] = []): string {

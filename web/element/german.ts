@@ -42,7 +42,7 @@ export function germanWords(lang: string): Words {
   }
 }
 
-const GOALS: GoalWords = {
+const GOALS = {
   names: {
     area: 'Fläche',
     neighbors: 'Nachbarn',
@@ -57,7 +57,7 @@ const GOALS: GoalWords = {
     vertices: 'Ecken',
   },
   hiddenCircles: 'verborgene Kreise',
-  counted: (name, value) => {
+  counted: (name, value): string => {
     if (name === 'edges') return plural(value, 'Kante', 'Kanten')
     if (name === 'neighbors') return plural(value, 'Nachbar', 'Nachbarn')
     return `${GOALS.names[name]} ${value}`
@@ -68,9 +68,9 @@ const GOALS: GoalWords = {
   atLeast: (least) => `mindestens ${least}`,
   atMost: (most) => `höchstens ${most}`,
   between: (least, most) => `${least} bis ${most}`,
-}
+} satisfies GoalWords
 
-const KEYS: KeyHelp = {
+const KEYS = {
   select: {
     one: ['Enter', 'wählt einen Kreis aus'],
     next: ['Tab, Umschalt + Tab', 'der nächste, der vorige'],
@@ -93,9 +93,9 @@ const KEYS: KeyHelp = {
     fit: ['0', 'zeigt alles; noch einmal: ohne das, was weit außerhalb liegt'],
   },
   withoutSelection: 'Ohne Auswahl:',
-}
+} satisfies KeyHelp
 
-const EDITING: EditingWords = {
+const EDITING = {
   called: (id, name) => name || `Kreis ${id}`,
   added: (circle) => `${circle} hinzugefügt`,
   addedMany: (count) => `${count} Kreise hinzugefügt`,
@@ -111,10 +111,10 @@ const EDITING: EditingWords = {
     `${isBounded ? 'Begrenzte' : 'Unbegrenzte'} Zelle, ${neighbors} ${neighbors === 1 ? 'Nachbar' : 'Nachbarn'}`,
   snaps: 'Einrasten ist an',
   snapsNot: 'Einrasten ist aus',
-}
+} satisfies EditingWords
 
 /** The errors of the library. */
-const CODES: Readonly<Record<ErrorCode, string>> = {
+const CODES = {
   nonFinite: 'Eine Zahl ist nicht endlich.',
   negativeRadius: 'Der Radius darf nicht negativ sein.',
   coordinateTooLarge: 'Eine Zahl ist zu groß: höchstens 7,9e28.',
@@ -130,9 +130,9 @@ const CODES: Readonly<Record<ErrorCode, string>> = {
   notWritten: 'Die Datei kann nicht geschrieben werden.',
   notLoaded: 'Das WebAssembly kann nicht geladen werden.',
   internal: 'Das Programm selbst hat versagt.',
-}
+} satisfies Record<ErrorCode, string>
 
-const REFUSALS: ElementRefusals & ProblemWords = {
+const REFUSALS = {
   coded: ({ code, circle }) => (circle === undefined ? CODES[code] : `Kreis ${circle}: ${CODES[code]}`),
   must: (what, allowed, got) => `${what} muss ${allowed} sein (angegeben: ${got}).`,
   layers: 'Der Wert der Ebenen',
@@ -198,7 +198,7 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   dataSet: (name) => `Der Link nennt den Datensatz ${name} der Seite, von der er ist, und hat keine eigenen Kreise.`,
   notInPage: 'Die Figur ist in keiner Seite, oder nicht mehr.',
   notComputedAgain: 'Das Diagramm konnte nicht berechnet werden. Versuchen Sie es noch einmal.',
-}
+} satisfies ElementRefusals & ProblemWords
 
 const plural = (count: number | string, one: string, many: string) => `${count} ${Number(count) === 1 ? one : many}`
 const list = (items: readonly (number | string)[]) => listed(items.map(String), 'und')
@@ -207,7 +207,7 @@ const ofCircles = (ids: readonly number[]) => (ids.length === 1 ? `von Kreis ${i
 const becauseOutside = (ids: readonly number[]) =>
   ids.length === 0 ? '' : `, denn ${circles(ids)} ${ids.length === 1 ? 'ragt' : 'ragen'} nicht hinein`
 
-const PLAYER: PlayerWords = {
+const PLAYER = {
   lang: 'de',
   told: (error) => problemOf(error, false, REFUSALS),
   goals: {
@@ -356,4 +356,4 @@ const PLAYER: PlayerWords = {
   askThreeTouch: (ids) => `Welche gerichteten Kanten nimmt die Scheibe der Kreise ${ids.join(', ')} weg?`,
   threeTouchAnswers: ['Ihre beiden Kanten gehen, eine kommt', 'Drei Kanten gehen', 'Keine: Eine davon fehlt schon'],
   askFlip: (edge) => `Die Kante ${edge} geht. Welche kommt?`,
-}
+} satisfies PlayerWords

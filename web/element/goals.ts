@@ -23,21 +23,6 @@ const OF_DIAGRAM = ['circles', 'hidden', 'vertices', 'edges'] as const satisfies
 /** The numbers that a reader sets. Exact ones are told only while they are not met. */
 const GIVEN: readonly string[] = ['r', 'x', 'y']
 
-/** The words for goals. */
-export interface GoalWords {
-  /** The names of goals, as headings of their values. */
-  readonly names: Readonly<Record<Goal['name'], string>>
-  readonly hiddenCircles: string
-  /** A value with its unit, such as `7 edges`. */
-  counted(name: Goal['name'], value: string): string
-  readonly yes: string
-  readonly no: string
-  readonly is: (name: string, now: string, goal: string) => string
-  readonly atLeast: (least: string) => string
-  readonly atMost: (most: string) => string
-  readonly between: (least: string, most: string) => string
-}
-
 /** Returns the goals of a check. Conditions inside `not` do not count as goals. */
 export function goalsOf(check: Check, facts: Facts): Goal[] {
   if ('all' in check) return check.all.flatMap((part) => goalsOf(part, facts))
@@ -113,7 +98,9 @@ function valueText(value: number | boolean, { yes, no }: GoalWords): string {
   return Number.isFinite(value) ? short(value, DIGITS) : '∞'
 }
 
-export const ENGLISH_GOALS: GoalWords = {
+/** The words for goals. */
+export const ENGLISH_GOALS = {
+  /** The names of goals, as headings of their values. */
   names: {
     area: 'area',
     neighbors: 'neighbors',
@@ -126,16 +113,19 @@ export const ENGLISH_GOALS: GoalWords = {
     y: 'y',
     circles: 'circles',
     vertices: 'vertices',
-  },
+  } satisfies Record<Goal['name'], string>,
   hiddenCircles: 'hidden circles',
-  counted: (name, value) => {
+  /** A value with its unit, such as `7 edges`. */
+  counted: (name: Goal['name'], value: string): string => {
     if (name === 'edges' || name === 'neighbors') return `${value} ${value === '1' ? name.slice(0, -1) : name}`
     return `${ENGLISH_GOALS.names[name]} ${value}`
   },
   yes: 'yes',
   no: 'no',
-  is: (name, now, goal) => `${name}: now ${now}, goal ${goal}`,
-  atLeast: (least) => `at least ${least}`,
-  atMost: (most) => `at most ${most}`,
-  between: (least, most) => `${least} to ${most}`,
+  is: (name: string, now: string, goal: string) => `${name}: now ${now}, goal ${goal}`,
+  atLeast: (least: string) => `at least ${least}`,
+  atMost: (most: string) => `at most ${most}`,
+  between: (least: string, most: string) => `${least} to ${most}`,
 }
+
+export type GoalWords = typeof ENGLISH_GOALS

@@ -1,51 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { ENGLISH_KEYS, type KeyHelp } from '../editing/key-help.ts'
+import { ENGLISH_KEYS } from '../editing/key-help.ts'
 import type { ProblemWords } from '../editing/problem.ts'
-import { type EditingWords, ENGLISH_EDITING } from '../editing/words.ts'
+import { ENGLISH_EDITING } from '../editing/words.ts'
 import type { PlayerWords } from '../player/words.ts'
 import type { DiagramCounts } from '../view/diagram-counts.ts'
-import { ENGLISH_GOALS, type GoalWords } from './goals.ts'
+import { ENGLISH_GOALS } from './goals.ts'
 import type { ElementRefusals } from './refusals.ts'
 
 /** The texts of an element. */
-export interface Words {
-  /** Their language, as a value of the attribute `lang`. */
-  readonly lang: string
-  /** The default name of a figure. */
-  readonly label: string
-  readonly keys: KeyHelp
-  /** The hints for using the wheel or a finger over a figure that leaves these to the page. */
-  readonly wheelHint: string
-  readonly met: string
-  readonly unmet: string
-  readonly goals: GoalWords
-  readonly buttons: {
-    readonly add: string
-    readonly remove: string
-    readonly undo: string
-    readonly redo: string
-    readonly zoomOut: string
-    readonly zoomIn: string
-    readonly fit: string
-  }
-  /** The name of the player. */
-  readonly player: string
-  /** Describes the figure in a sentence. */
-  describe(counts: DiagramCounts): string
-  readonly editing: EditingWords
+export interface Words extends ReturnType<typeof english> {
   /** Further texts that are built into English. */
   readonly others?: { readonly refusals: ElementRefusals & ProblemWords; readonly player: PlayerWords }
 }
 
 /** The English texts of an element. */
-export function english(lang: string): Words {
+export function english(lang: string) {
   const number = numbersOf(lang)
   const count = (value: number, one: string, many = `${one}s`) => `${number(value)} ${value === 1 ? one : many}`
   return {
+    /** The language of the texts, as a value of the attribute `lang`. */
     lang,
+    /** The default name of a figure. */
     label: 'Circles and their Voronoi diagram',
     keys: ENGLISH_KEYS,
+    /** The hint for using the wheel over a figure that leaves it to the page. */
     wheelHint: 'Ctrl and the wheel zoom; so does the wheel alone after a click',
     met: 'Solved.',
     unmet: 'Not solved yet.',
@@ -59,9 +38,11 @@ export function english(lang: string): Words {
       zoomIn: 'Zoom in',
       fit: 'Fit',
     },
+    /** The name of the player. */
     player: 'The method, step by step',
     editing: ENGLISH_EDITING,
-    describe({ circles, hidden, vertices, edges }) {
+    /** Describes the figure in a sentence. */
+    describe({ circles, hidden, vertices, edges }: DiagramCounts) {
       const inside = hidden === 0 ? '' : `, ${number(hidden)} of them hidden inside others`
       return `${count(circles, 'circle')}${inside}; the diagram has ${count(vertices, 'vertex', 'vertices')} and ${count(edges, 'edge')}.`
     },

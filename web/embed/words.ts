@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /** The texts of a frame. */
-export interface FrameWords {
-  readonly title: string
-  readonly open: string
-  readonly startOver: string
-  readonly met: string
-  readonly unmet: string
-}
-
-const ENGLISH: FrameWords = {
+const ENGLISH = {
   title: 'Voronoi diagram of circles',
   open: 'Open',
   startOver: 'Start over',
@@ -17,13 +9,15 @@ const ENGLISH: FrameWords = {
   unmet: 'Not solved yet',
 }
 
-const GERMAN: FrameWords = {
+export type FrameWords = typeof ENGLISH
+
+const GERMAN = {
   title: 'Voronoi-Diagramm von Kreisen',
   open: 'Öffnen',
   startOver: 'Neu beginnen',
   met: 'Gelöst',
   unmet: 'Noch nicht gelöst',
-}
+} satisfies FrameWords
 
 export function frameWords(lang: string): FrameWords {
   return /^de(-|$)/i.test(lang) ? GERMAN : ENGLISH

@@ -5,91 +5,6 @@ export type StepKind = 'stage' | 'disc' | 'edge' | 'vertex' | 'rejected' | 'circ
 /** The targets of "go to next": a kind of step, the selected circle, or a breakpoint. */
 export type Goal = StepKind | 'selected' | 'breakpoint'
 
-/** The player's texts. */
-export interface PlayerWords {
-  /** The language of the texts, as a value of the attribute `lang`. */
-  readonly lang: string
-  readonly goals: Readonly<Record<Goal, string>>
-  readonly running: string
-  readonly notRun: string
-  /** Localizes the reason why nothing can be played. The messages of errors are English. */
-  told?(error: Error): string
-  readonly stepLabel: string
-  stepOf(step: number, last: number): string
-  readonly back: string
-  readonly play: string
-  readonly pause: string
-  readonly forth: string
-  readonly speed: string
-  readonly ask: string
-  readonly breakHere: string
-  readonly previous: string
-  readonly goal: string
-  readonly next: string
-  readonly howItWorks: string
-  readonly whatNext: string
-  readonly right: string
-  wrong(answer: string): string
-  score(right: number, asked: number): string
-  queue(count: number): string
-  more(count: number): string
-  readonly around: string
-  readonly selectOne: string
-  aroundCircle(id: number, isSelected: boolean): string
-  ring(id: number, marks: readonly { readonly isOut: boolean; readonly other: number }[]): string
-  readonly ringNote: string
-
-  /** The titles and lines of the algorithms. */
-  readonly titles: Readonly<Record<'prepare' | 'loop' | 'antipodal' | 'threeTouch' | 'end' | 'flips' | 'edit', string>>
-  readonly lines: Readonly<Record<PseudocodeLine, string>>
-
-  given(circles: number, hidden: number): string
-  centers(edges: number): string
-  readonly angles: string
-  samples(count: number): string
-  sampleGraph(edges: number): string
-  pairs(count: number): string
-  used(circles: readonly number[]): string
-  notEmpty(a: number, b: number, c: number): string
-  place(a: number, b: number, tested: readonly number[]): string
-  form(discs: readonly string[]): string
-  disc(name: string, radius: string): string
-  stale(name: string): string
-  branch(circles: readonly number[], place: string, radius: string): string
-  finish(edges: readonly string[]): string
-  placeThird(edge: string): string
-  again(round: number): string
-  readonly ties: string
-  flipDiscs(count: number): string
-  editBegin(vertices: number): string
-  hull(left: number): string
-  readonly flipDone: string
-  readonly editDone: string
-  readonly proven: string
-  refused(message: string): string
-  takenTriple(circles: readonly number[], radius: string): string
-  takenPair(circles: readonly number[], radius: string, tested: readonly number[]): string
-  come(id: number, place: string, radius: string): string
-  gone(id: number): string
-  moved(id: number, place: string, radius: string): string
-  discMissing(a: number, b: number, c: number): string
-  tangentNotClear(a: number, b: number, c: number): string
-  hullNotConvex(a: number, b: number, c: number): string
-  shrunk(a: number, radius: string): string
-  discNotEmpty(a: number, b: number, c: number, radius: string): string
-  flip(from: string, to: string): string
-  allNew(names: readonly string[]): string
-  allGone(names: readonly string[]): string
-  discMoves(circles: readonly number[]): string
-  triangles(removed: number, made: number): string
-
-  askAntipodal(a: number, b: number): string
-  readonly antipodalAnswers: readonly [empty: string, meets: string, used: string]
-  askThreeTouch(circles: readonly number[]): string
-  readonly threeTouchAnswers: readonly [one: string, three: string, nothing: string]
-  askFlip(edge: string): string
-}
-
 const plural = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`
 
 function list(items: readonly (number | string)[]): string {
@@ -131,12 +46,14 @@ const LINES = {
   editTest: 'while the disc beside an edge meets the circle (or it shrinks until it touches one):',
   editFlip: 'replace that edge',
   editDone: 'the judge checks what changed: it is the diagram again',
-} as const
+}
 
 /** The name of a line of pseudocode. */
 export type PseudocodeLine = keyof typeof LINES
 
-export const ENGLISH_PLAYER: PlayerWords = {
+/** The player's texts. */
+export const ENGLISH_PLAYER = {
+  /** The language of the texts, as a value of the attribute `lang`. */
   lang: 'en',
   goals: {
     stage: 'stage',
@@ -147,11 +64,11 @@ export const ENGLISH_PLAYER: PlayerWords = {
     circle: 'edit',
     selected: 'step of the selected circle',
     breakpoint: 'breakpoint',
-  },
+  } satisfies Record<Goal, string>,
   running: 'Running the method…',
   notRun: 'The method could not be run. Try again.',
   stepLabel: 'Step',
-  stepOf: (step, last) => `Step ${step} of ${last}`,
+  stepOf: (step: number, last: number) => `Step ${step} of ${last}`,
   back: 'Previous step',
   play: 'Play',
   pause: 'Pause',
@@ -165,16 +82,17 @@ export const ENGLISH_PLAYER: PlayerWords = {
   howItWorks: 'How it works',
   whatNext: 'What happens next?',
   right: 'Right.',
-  wrong: (answer) => `No: ${answer}.`,
-  score: (right, asked) => `${right} of ${asked} right so far.`,
-  queue: (count) => `The list L, by radius (${count})`,
-  more: (count) => `and ${count} more`,
+  wrong: (answer: string) => `No: ${answer}.`,
+  score: (right: number, asked: number) => `${right} of ${asked} right so far.`,
+  queue: (count: number) => `The list L, by radius (${count})`,
+  more: (count: number) => `and ${count} more`,
   around: 'Around a circle',
   selectOne: 'Select a circle to see its directed edges in order.',
-  aroundCircle: (id, isSelected) => `Around circle ${id}${isSelected ? ', selected' : ''}`,
-  ring: (id, marks) =>
+  aroundCircle: (id: number, isSelected: boolean) => `Around circle ${id}${isSelected ? ', selected' : ''}`,
+  ring: (id: number, marks: readonly { readonly isOut: boolean; readonly other: number }[]) =>
     `Around circle ${id}: ${marks.length === 0 ? 'no directed edge yet' : marks.map(({ isOut, other }) => (isOut ? `to ${other}` : `from ${other}`)).join(', ')}.`,
   ringNote: 'From the right, counter-clockwise. Green: no border has passed yet.',
+  /** The titles and lines of the algorithms. */
   titles: {
     prepare: '1 Prepare',
     loop: '2 Loop',
@@ -185,68 +103,82 @@ export const ENGLISH_PLAYER: PlayerWords = {
     edit: 'An edit',
   },
   lines: LINES,
-  given: (count, hidden) =>
+  given: (count: number, hidden: number) =>
     hidden === 0
       ? `There are ${plural(count, 'circle')}.`
       : `There are ${plural(count, 'circle')}, ${hidden} of them inside others and left out.`,
-  centers: (edges) => `The Delaunay graph of the centers has ${plural(edges, 'edge')}.`,
+  centers: (edges: number) => `The Delaunay graph of the centers has ${plural(edges, 'edge')}.`,
   angles: 'At each center, the angles between these edges are divided by rays.',
-  samples: (count) =>
+  samples: (count: number) =>
     `All circles become smaller by the radius of the smallest one. ${plural(count, 'sample')} lie where edges and rays leave them.`,
-  sampleGraph: (edges) => `The Delaunay graph of the samples has ${plural(edges, 'edge')}.`,
-  pairs: (count) =>
+  sampleGraph: (edges: number) => `The Delaunay graph of the samples has ${plural(edges, 'edge')}.`,
+  pairs: (count: number) =>
     `Its edges join ${plural(count, 'pair')} of circles: each gets an antipodal disc, and all go into the list by radius.`,
-  used: (ids) =>
+  used: (ids: readonly number[]) =>
     `A foot of the disc of ${circles(ids)} lies where another border has already passed. The disc is thrown away.`,
-  notEmpty: (a, b, c) => `Circle ${c} reaches into the disc of circles ${a} and ${b}. The disc is thrown away.`,
-  place: (a, b, tested) =>
+  notEmpty: (a: number, b: number, c: number) =>
+    `Circle ${c} reaches into the disc of circles ${a} and ${b}. The disc is thrown away.`,
+  place: (a: number, b: number, tested: readonly number[]) =>
     `The disc of circles ${a} and ${b} is empty${becauseOutside(tested)}: directed edges ${a}→${b} and ${b}→${a} are placed.`,
-  form: (discs) =>
+  form: (discs: readonly string[]) =>
     `${plural(discs.length, 'three-touch disc')} ${discs.length === 1 ? 'goes' : 'go'} into the list: ${discs.join(', ')}.`,
-  disc: (name, radius) => `${name} (radius ${radius})`,
-  stale: (name) =>
+  disc: (name: string, radius: string) => `${name} (radius ${radius})`,
+  stale: (name: string) =>
     `A directed edge of disc ${name} has ended, or the two are no longer next to each other. The disc is thrown away.`,
-  branch: (ids, place, radius) =>
+  branch: (ids: readonly number[], place: string, radius: string) =>
     `The disc of ${circles(ids)} is empty: its center ${place} is a vertex, at distance ${radius} from all three.`,
-  finish: (edges) =>
+  finish: (edges: readonly string[]) =>
     edges.length === 1 ? `Directed edge ${edges[0]} ends there.` : `Directed edges ${list(edges)} end there.`,
-  placeThird: (edge) => `Directed edge ${edge} begins there: the border continues from the vertex.`,
-  again: (round) => `The judge found the diagram wrong: round ${round} begins with more samples.`,
+  placeThird: (edge: string) => `Directed edge ${edge} begins there: the border continues from the vertex.`,
+  again: (round: number) => `The judge found the diagram wrong: round ${round} begins with more samples.`,
   ties: 'Four or more circles touch one disc: its triangles are settled by the places of the centers.',
-  flipDiscs: (count) => `${plural(count, 'triangle')}, each with the disc that touches its three circles.`,
-  editBegin: (vertices) => `The diagram has ${plural(vertices, 'vertex', 'vertices')}.`,
-  hull: (left) => `The list is empty. The ${plural(left, 'directed edge')} left over lead once around the hull.`,
+  flipDiscs: (count: number) => `${plural(count, 'triangle')}, each with the disc that touches its three circles.`,
+  editBegin: (vertices: number) => `The diagram has ${plural(vertices, 'vertex', 'vertices')}.`,
+  hull: (left: number) =>
+    `The list is empty. The ${plural(left, 'directed edge')} left over lead once around the hull.`,
   flipDone: 'No edge is left to flip.',
   editDone: 'The diagram is whole again.',
   proven: 'The judge proves the diagram.',
-  refused: (message) => `The judge refuses the diagram: ${message}`,
-  takenTriple: (ids, radius) =>
+  refused: (message: string) => `The judge refuses the diagram: ${message}`,
+  takenTriple: (ids: readonly number[], radius: string) =>
     `The smallest disc in the list touches ${circles(ids)}, with radius ${radius}. Are its directed edges still there?`,
-  takenPair: (ids, radius, tested) =>
+  takenPair: (ids: readonly number[], radius: string, tested: readonly number[]) =>
     `The smallest disc in the list lies between circles ${list(ids)}, with radius ${radius}.${tested.length > 0 ? ` It is tested against ${circles(tested)}.` : ''}`,
-  come: (id, place, radius) => `Circle ${id} is inserted at ${place} with radius ${radius}.`,
-  gone: (id) => `Circle ${id} is removed.`,
-  moved: (id, place, radius) => `Circle ${id} is now at ${place} with radius ${radius}.`,
-  discMissing: (a, b, c) => `No disc touches circles ${a}, ${b} and ${c}: the edge ${a}–${b} must go.`,
-  tangentNotClear: (a, b, c) =>
+  come: (id: number, place: string, radius: string) => `Circle ${id} is inserted at ${place} with radius ${radius}.`,
+  gone: (id: number) => `Circle ${id} is removed.`,
+  moved: (id: number, place: string, radius: string) => `Circle ${id} is now at ${place} with radius ${radius}.`,
+  discMissing: (a: number, b: number, c: number) =>
+    `No disc touches circles ${a}, ${b} and ${c}: the edge ${a}–${b} must go.`,
+  tangentNotClear: (a: number, b: number, c: number) =>
     `The tangent line of circles ${a} and ${b} meets circle ${c}: the edge ${a}–${b} is no longer on the hull.`,
-  hullNotConvex: (a, b, c) => `Circle ${a} lies within the tangent line of circles ${b} and ${c}: it leaves the hull.`,
-  shrunk: (a, radius) => `Circle ${a} has shrunk to radius ${radius}: there it touches a disc of its neighbors.`,
-  discNotEmpty: (a, b, c, radius) =>
+  hullNotConvex: (a: number, b: number, c: number) =>
+    `Circle ${a} lies within the tangent line of circles ${b} and ${c}: it leaves the hull.`,
+  shrunk: (a: number, radius: string) =>
+    `Circle ${a} has shrunk to radius ${radius}: there it touches a disc of its neighbors.`,
+  discNotEmpty: (a: number, b: number, c: number, radius: string) =>
     `The disc beside the edge ${a}–${b}, with radius ${radius}, meets circle ${c}: the edge is wrong.`,
-  flip: (from, to) => `The edge ${from} becomes ${to}.`,
-  allNew: (names) => `Added: ${names.join(', ')}.`,
-  allGone: (names) => `Removed: ${names.join(', ')}.`,
-  discMoves: (ids) => `The disc of ${list(ids)} moves.`,
-  triangles: (removed, made) =>
+  flip: (from: string, to: string) => `The edge ${from} becomes ${to}.`,
+  allNew: (names: readonly string[]) => `Added: ${names.join(', ')}.`,
+  allGone: (names: readonly string[]) => `Removed: ${names.join(', ')}.`,
+  discMoves: (ids: readonly number[]) => `The disc of ${list(ids)} moves.`,
+  triangles: (removed: number, made: number) =>
     `${plural(removed, 'triangle')} ${removed === 1 ? 'is' : 'are'} removed, ${made} added.`,
-  askAntipodal: (a, b) => `What is the disc between circles ${a} and ${b}?`,
+  askAntipodal: (a: number, b: number) => `What is the disc between circles ${a} and ${b}?`,
   antipodalAnswers: [
     'It is empty',
     'Another circle reaches into it',
     'A foot lies where another border has already passed',
+  ] satisfies [empty: string, meets: string, used: string],
+  askThreeTouch: (ids: readonly number[]) => `Which directed edges end at the disc of circles ${ids.join(', ')}?`,
+  threeTouchAnswers: ['Two edges end, one begins', 'Three edges end', 'Nothing: one of its edges has ended'] satisfies [
+    one: string,
+    three: string,
+    nothing: string,
   ],
-  askThreeTouch: (ids) => `Which directed edges end at the disc of circles ${ids.join(', ')}?`,
-  threeTouchAnswers: ['Two edges end, one begins', 'Three edges end', 'Nothing: one of its edges has ended'],
-  askFlip: (edge) => `The edge ${edge} is flipped. Which edge takes its place?`,
+  askFlip: (edge: string) => `The edge ${edge} is flipped. Which edge takes its place?`,
+}
+
+export type PlayerWords = typeof ENGLISH_PLAYER & {
+  /** Localizes the reason why nothing can be played. The messages of errors are English. */
+  told?(error: Error): string
 }

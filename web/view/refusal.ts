@@ -1,72 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError, type ErrorCode } from '../lib/base/errors.ts'
 
-/** Error messages in one language. */
-export interface Refusals {
-  /** `got` is formatted by `shownValue`. */
-  must(what: string, allowed: string, got: string): string
-  readonly layers: string
-  readonly object: string
-  layer(name: string): string
-  oneOf(values: readonly string[]): string
-  wholeNumber(least: number, most?: number): string
-  readonly trueOrFalse: string
-  readonly number: string
-  readonly numberFromZero: string
-  readonly path: string
-  readonly data: string
-  readonly cellValues: string
-  noLayer(word: string, names: readonly string[]): string
-  /** `reason` is the message of the failure, possibly in English. */
-  notComputed(reason: string): string
-  readonly notDrawn: string
-  /** Drawing failed, and a new thread continues. `reason` is the message of the failure, possibly in English. */
-  drawingFailed(reason: string): string
-  /** Drawing has failed repeatedly. */
-  drawingEnded(reason: string): string
-  readonly nothingChanged: string
-  readonly areasWithoutRegion: string
-  readonly latticeWithRegion: string
-  /** The number of areas differs from the number of circles. */
-  areasForCircles(areas: number, circles: number): string
-  tooManyForAreas(most: number): string
-  notRegion(reason: string): string
-  readonly disposed: string
-  readonly noThread: string
-}
-
 /** Joins names as an English list: `a, b or c`. */
 export function listed(names: readonly string[], last: string): string {
   return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} ${last} ${names.at(-1)}`
 }
 
-export const ENGLISH_REFUSALS: Refusals = {
-  must: (what, allowed, got) => `${what} must be ${allowed} (got ${got}).`,
+/** Error messages. */
+export const ENGLISH_REFUSALS = {
+  /** `got` is formatted by `shownValue`. */
+  must: (what: string, allowed: string, got: string) => `${what} must be ${allowed} (got ${got}).`,
   layers: 'The layers',
   object: 'an object',
-  layer: (name) => `The layer ${name}`,
-  oneOf: (values) => listed(values, 'or'),
-  wholeNumber: (least, most) => `a whole number from ${least}${most === undefined ? '' : ` to ${most}`}`,
+  layer: (name: string) => `The layer ${name}`,
+  oneOf: (values: readonly string[]) => listed(values, 'or'),
+  wholeNumber: (least: number, most?: number) =>
+    `a whole number from ${least}${most === undefined ? '' : ` to ${most}`}`,
   trueOrFalse: 'true or false',
   number: 'a number',
   numberFromZero: 'a number from 0',
   path: 'two points { from: { x, y }, to: { x, y } }',
   data: 'an array of objects whose points, segments and discs are arrays of numbers',
   cellValues: 'an object with a name and values as a Float64Array',
-  noLayer: (word, names) => `There is no layer ${word}. The layers are ${listed(names, 'and')}.`,
-  notComputed: (reason) => `The diagram could not be computed: ${reason}.`,
+  noLayer: (word: string, names: readonly string[]) =>
+    `There is no layer ${word}. The layers are ${listed(names, 'and')}.`,
+  /** `reason` is the message of the failure, possibly in English. */
+  notComputed: (reason: string) => `The diagram could not be computed: ${reason}.`,
   notDrawn: 'The picture could not be drawn.',
-  drawingFailed: (reason) => `Drawing the picture failed and was started again: ${reason}.`,
-  drawingEnded: (reason) => `The picture can no longer be drawn: ${reason}. Reload the page.`,
+  /** Drawing failed, and a new thread continues. `reason` is the message of the failure, possibly in English. */
+  drawingFailed: (reason: string) => `Drawing the picture failed and was started again: ${reason}.`,
+  /** Drawing has failed repeatedly. */
+  drawingEnded: (reason: string) => `The picture can no longer be drawn: ${reason}. Reload the page.`,
   nothingChanged: 'Nothing has changed. Try again.',
   areasWithoutRegion: 'Areas need a region: the cells divide it.',
   latticeWithRegion: 'A lattice takes no region: its cells are whole.',
-  areasForCircles: (areas, circles) => `There are ${areas} areas for ${circles} circles.`,
-  tooManyForAreas: (most) => `Areas can be given to at most ${most} cells here.`,
-  notRegion: (reason) => `This is neither GeoJSON nor well-known text of polygons: ${reason}`,
+  /** The number of areas differs from the number of circles. */
+  areasForCircles: (areas: number, circles: number) => `There are ${areas} areas for ${circles} circles.`,
+  tooManyForAreas: (most: number) => `Areas can be given to at most ${most} cells here.`,
+  notRegion: (reason: string) => `This is neither GeoJSON nor well-known text of polygons: ${reason}`,
   disposed: 'it was disposed of',
   noThread: 'its file cannot be loaded',
 }
+
+export type Refusals = typeof ENGLISH_REFUSALS
 
 /** An error with a message in any language. */
 export interface LocalizedError<Words> extends Error {
