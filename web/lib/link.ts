@@ -12,7 +12,7 @@ import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordina
 import { CircleVoronoiError } from './base/errors.ts'
 import type { Float64s } from './base/types.ts'
 import { type Lattice, latticeNumbers } from './diagram/lattice.ts'
-import { frameOf, type LinkFrame } from './link-frame.ts'
+import type { LinkFrame } from './link-frame.ts'
 import { plainRegion, type RegionShape, ringArraysOf } from './regions/region-shape.ts'
 import type { Edit } from './wasm/editor.ts'
 
@@ -135,22 +135,6 @@ const LONGEST_QUESTION = 2000
 const DEEPEST_LAYER = 8
 /** The largest nesting depth of a check. Each level is an object and may contain a list. */
 const DEEPEST_CHECK = 20
-const FIELDS = [
-  'circles',
-  'names',
-  'attributes',
-  'headings',
-  'colors',
-  'dataSet',
-  'edits',
-  'view',
-  'layers',
-  'step',
-  'method',
-  'region',
-  'lattice',
-  'areas',
-] as const
 
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
@@ -192,44 +176,10 @@ function linkFrom(letters: string): string {
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null)
     refuseInput(`The state of a link must be an object, not ${shown(state)}.`)
-  const {
-    circles,
-    names,
-    attributes,
-    headings,
-    colors,
-    dataSet,
-    edits,
-    view,
-    layers,
-    step,
-    method,
-    region,
-    lattice,
-    areas,
-  } = state
-  if (edits !== undefined && !Array.isArray(edits))
-    refuseInput(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
-  const said: Record<(typeof FIELDS)[number], unknown> & LinkFrame = {
-    circles: circles && [...coordinatesOf(circles)],
-    names,
-    attributes,
-    headings,
-    colors,
-    dataSet,
-    edits: edits && Array.from(edits, listOf),
-    view: view && [view.x, view.y, view.span],
-    layers,
-    step,
-    method,
-    region,
-    lattice: lattice && [...latticeNumbers(lattice, 'encodeLink')],
-    areas,
-    ...frameOf(state),
-  }
+  const said = mapped(state, (value, { encode }) => (encode && value ? encode(value as never) : value))
   const problem = problemOf(said)
   if (problem !== undefined) refuseInput(`The state cannot be written as a link: ${problem}.`)
-  const json = JSON.stringify({ ...said, region: region && plainRegion(region) })
+  const json = JSON.stringify(said)
   if (json.length > LINK_LIMITS.bytes) tooMuch()
   return json
 }
@@ -265,68 +215,126 @@ export async function decodeLink(text: string): Promise<LinkState> {
   }
   const problem = problemOf(said)
   if (problem !== undefined) refuse(problem)
-  return stateOf(said as EncodedLink)
+  return mapped(said as object, (json, { decode }) => (decode && json ? decode(json as never) : json))
 }
 
-/** The encoded form of a link, with lists of numbers. */
-interface EncodedLink extends LinkFrame {
-  readonly circles?: readonly number[] | undefined
-  readonly names?: readonly string[] | undefined
-  readonly attributes?: LinkAttributes | undefined
-  readonly headings?: LinkState['headings']
-  readonly colors?: string | undefined
-  readonly dataSet?: string | undefined
-  readonly edits?: readonly (readonly [kind: '+' | '-' | '=', ...numbers: number[]])[] | undefined
-  readonly view?: readonly [number, number, number] | undefined
-  readonly layers?: Readonly<Record<string, LayerValue>> | undefined
-  readonly step?: number | undefined
-  readonly method?: string | undefined
-  readonly region?: RegionShape | null | undefined
-  readonly lattice?: readonly [ax: number, ay: number, bx: number, by: number] | null | undefined
-  readonly areas?: 'equal' | readonly number[] | undefined
+/** An edit as JSON: the ids and numbers of an insertion, a removal or a replacement. */
+type EncodedEdit = readonly [kind: '+' | '-' | '=', ...numbers: number[]]
+
+/** A field of a link. */
+interface Field {
+  /** Converts a value to JSON. Default: the value is JSON. */
+  encode?(value: never): unknown
+  /** Converts JSON without a problem to a value. */
+  decode?(json: never): unknown
+  /** Returns the reason why a value is not JSON of this field. `said` is the JSON of all fields. */
+  problem(json: unknown, said: Readonly<Record<string, unknown>>): string | undefined
 }
 
-function stateOf(said: EncodedLink): LinkState {
-  const {
-    circles,
-    names,
-    attributes,
-    headings,
-    colors,
-    dataSet,
-    edits,
-    view,
-    layers,
-    step,
-    method,
-    region,
-    lattice,
-    areas,
-  } = said
-  return {
-    ...(circles && { circles: Float64Array.from(circles) }),
-    ...(names && { names }),
-    ...(attributes && { attributes }),
-    ...(headings && { headings }),
-    ...(colors !== undefined && { colors }),
-    ...(dataSet !== undefined && { dataSet }),
-    ...(edits && { edits: edits.map(editOf) }),
-    ...(view && { view: { x: view[0], y: view[1], span: view[2] } }),
-    ...(layers && { layers }),
-    ...(step !== undefined && { step }),
-    ...(method !== undefined && { method }),
-    ...(region !== undefined && { region: region && plainRegion(region) }),
-    ...(lattice !== undefined && { lattice: lattice && latticeOf(lattice) }),
-    ...(areas !== undefined && { areas }),
-    ...frameOf(said),
+const unless = (
+  isRight: (json: unknown, said: Readonly<Record<string, unknown>>) => boolean,
+  reason: string,
+): Field => ({
+  problem: (json, said) => (isRight(json, said) ? undefined : reason),
+})
+const name = (field: string): Field =>
+  unless(isName, `the field ${field} is not a text of at most ${LONGEST_NAME} letters`)
+
+/** The fields in the order of their JSON. */
+const FIELDS: { readonly [Name in keyof LinkState]-?: Field } = {
+  circles: {
+    encode: (circles: Circles) => [...coordinatesOf(circles)],
+    decode: (numbers: readonly number[]) => Float64Array.from(numbers),
+    problem: problemOfCircles,
+  },
+  names: unless(
+    (names, said) => Array.isArray(names) && names.length === countIn(said) && names.every(isName),
+    'there is not one name for each circle',
+  ),
+  attributes: unless(
+    (attributes, said) => areAttributes(attributes, countIn(said)),
+    'the attributes are not those of the circles',
+  ),
+  headings: unless(
+    (headings) => Array.isArray(headings) && headings.length === 3 && headings.every(isName),
+    'the headings are not three names',
+  ),
+  colors: unless(
+    (colors) => typeof colors === 'string' && /^[0-7]*$/.test(colors),
+    'the colors are not digits from 0 to 7',
+  ),
+  dataSet: {
+    problem: (dataSet, { circles }) => {
+      if (!isName(dataSet)) return 'the data set is not a name'
+      return circles === undefined ? undefined : 'it has circles and a data set'
+    },
+  },
+  edits: {
+    encode: (edits: readonly Edit[]) => {
+      if (!Array.isArray(edits)) refuseInput(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
+      return Array.from(edits, listOf)
+    },
+    decode: (edits: readonly EncodedEdit[]) => edits.map(editOf),
+    problem: problemOfEdits,
+  },
+  view: {
+    encode: ({ x, y, span }: LinkView) => [x, y, span],
+    decode: ([x, y, span]: readonly [number, number, number]) => ({ x, y, span }),
+    ...unless((view) => isListOfNumbers(view) && view.length === 3 && (view[2] as number) > 0, 'the view is invalid'),
+  },
+  layers: unless((layers) => isPlain(layers, DEEPEST_LAYER), 'the layers are invalid'),
+  step: unless((step) => Number.isSafeInteger(step) && (step as number) >= 0, 'the step is not a whole number from 0'),
+  method: unless(isName, 'the method is not a name'),
+  region: {
+    encode: (region: RegionShape) => (isRegion(region) ? plainRegion(region) : region),
+    decode: (region: RegionShape) => plainRegion(region),
+    ...unless((region) => region === null || isRegion(region), 'the region is invalid'),
+  },
+  lattice: {
+    encode: (lattice: Lattice) => [...latticeNumbers(lattice, 'encodeLink')],
+    decode: ([ax, ay, bx, by]: readonly number[]) => ({ a: [ax, ay], b: [bx, by] }),
+    ...unless(
+      (lattice) => lattice === null || (isListOfNumbers(lattice) && lattice.length === 4),
+      'the lattice does not have four finite numbers',
+    ),
+  },
+  areas: unless(
+    (areas) => areas === 'equal' || (isListOfNumbers(areas) && areas.every((share) => share > 0)),
+    'the areas are neither "equal" nor numbers above 0',
+  ),
+  title: name('title'),
+  question: unless(
+    (question) => typeof question === 'string' && question.length <= LONGEST_QUESTION,
+    `the field question is not a text of at most ${LONGEST_QUESTION} letters`,
+  ),
+  // The element judges the conditions of a check.
+  check: unless((check) => isPlain(check, DEEPEST_CHECK), 'the field check is invalid'),
+  readonly: unless((readonly) => typeof readonly === 'boolean', 'the field readonly is neither true nor false'),
+  alt: name('alt'),
+  lang: name('lang'),
+}
+
+/** Converts each field that a state has. */
+function mapped(
+  state: Readonly<Record<string, unknown>> | LinkInput,
+  convert: (value: unknown, field: Field) => unknown,
+): Record<string, unknown> {
+  const given = state as Readonly<Record<string, unknown>>
+  const fields = Object.entries(FIELDS).filter(([name]) => given[name] !== undefined)
+  return Object.fromEntries(fields.map(([name, field]) => [name, convert(given[name], field)]))
+}
+
+/** Returns the reason why a value is not the JSON of a link, or `undefined` if it is. */
+function problemOf(said: unknown): string | undefined {
+  if (!isRecord(said)) return 'it has no content'
+  for (const [name, field] of Object.entries(FIELDS)) {
+    const problem = said[name] === undefined ? undefined : field.problem(said[name], said)
+    if (problem !== undefined) return problem
   }
+  return undefined
 }
 
-function latticeOf([ax, ay, bx, by]: readonly [number, number, number, number]): Lattice {
-  return { a: [ax, ay], b: [bx, by] }
-}
-
-function listOf(edit: Edit): Exclude<EncodedLink['edits'], undefined>[number] {
+function listOf(edit: Edit): EncodedEdit {
   const circle = (circle: CircleLike) => [circleX(circle), circleY(circle), circleRadius(circle)]
   switch (edit?.kind) {
     case 'insert':
@@ -340,7 +348,7 @@ function listOf(edit: Edit): Exclude<EncodedLink['edits'], undefined>[number] {
   }
 }
 
-function editOf([kind, ...numbers]: Exclude<EncodedLink['edits'], undefined>[number]): Edit {
+function editOf([kind, ...numbers]: EncodedEdit): Edit {
   const [x, y, r] = numbers.slice(-3) as [number, number, number]
   if (kind === '+') return { kind: 'insert', circle: { x, y, r } }
   const id = numbers[0] as number
@@ -354,86 +362,29 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
   '=': [4, true],
 }
 
-/** Returns the reason why a value is not an `EncodedLink`, or `undefined` if it is. */
-function problemOf(said: unknown): string | undefined {
-  if (!isRecord(said)) return 'it has no content'
-  const {
-    circles,
-    names,
-    attributes,
-    headings,
-    colors,
-    dataSet,
-    edits,
-    view,
-    layers,
-    step,
-    method,
-    region,
-    lattice,
-    areas,
-  } = said
-  if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0))
-    return 'the step is not a whole number from 0'
-  if (method !== undefined && !isName(method)) return 'the method is not a name'
-  if (circles !== undefined) {
-    if (!isListOfNumbers(circles) || circles.length % 3 !== 0)
-      return 'the circles do not have three finite numbers each'
-    if (circles.length > 3 * LINK_LIMITS.circles) tooMuch()
-    for (let i = 0; i < circles.length / 3; i++) {
-      const problem = problemOfCircle(circles, 3 * i)
-      if (problem !== undefined) return `circle ${i} ${problem}`
-    }
-  }
-  if (names !== undefined) {
-    const count = Array.isArray(circles) ? circles.length / 3 : 0
-    if (!Array.isArray(names) || names.length !== count || !names.every(isName))
-      return 'there is not one name for each circle'
-  }
-  if (attributes !== undefined && !areAttributes(attributes, Array.isArray(circles) ? circles.length / 3 : 0))
-    return 'the attributes are not those of the circles'
-  if (headings !== undefined && !(Array.isArray(headings) && headings.length === 3 && headings.every(isName)))
-    return 'the headings are not three names'
-  if (colors !== undefined && !(typeof colors === 'string' && /^[0-7]*$/.test(colors)))
-    return 'the colors are not digits from 0 to 7'
-  if (dataSet !== undefined) {
-    if (!isName(dataSet)) return 'the data set is not a name'
-    if (circles !== undefined) return 'it has circles and a data set'
-  }
-  if (edits !== undefined) {
-    if (!Array.isArray(edits) || !edits.every(isEdit)) return 'the edits are invalid'
-    if (edits.length > LINK_LIMITS.edits) tooMuch()
-    for (const [i, [kind, ...numbers]] of edits.entries()) {
-      const problem = kind === '-' ? undefined : problemOfCircle(numbers, numbers.length - 3)
-      if (problem !== undefined) return `the circle of edit ${i} ${problem}`
-    }
-  }
-  if (region !== undefined && region !== null && !isRegion(region)) return 'the region is invalid'
-  const isLattice = lattice === undefined || lattice === null || (isListOfNumbers(lattice) && lattice.length === 4)
-  if (!isLattice) return 'the lattice does not have four finite numbers'
-  const isShares = isListOfNumbers(areas) && areas.every((share) => share > 0)
-  if (areas !== undefined && areas !== 'equal' && !isShares) return 'the areas are neither "equal" nor numbers above 0'
-  if (view !== undefined) {
-    if (!isListOfNumbers(view) || view.length !== 3 || !((view[2] as number) > 0)) return 'the view is invalid'
-  }
-  const problem = problemOfFrame(said)
-  if (problem !== undefined) return problem
-  const isRight =
-    layers === undefined || (isRecord(layers) && isLayer(layers, DEEPEST_LAYER, { left: LINK_LIMITS.layerValues }))
-  return isRight ? undefined : 'the layers are invalid'
+/** The number of circles in the JSON of a link. */
+function countIn({ circles }: Readonly<Record<string, unknown>>): number {
+  return Array.isArray(circles) ? circles.length / 3 : 0
 }
 
-/** Returns the reason why the fields of a frame are invalid. The element judges the conditions of a check. */
-function problemOfFrame({ title, question, check, readonly, alt, lang }: Record<string, unknown>): string | undefined {
-  for (const [name, text] of Object.entries({ title, alt, lang })) {
-    if (text !== undefined && !isName(text)) return `the field ${name} is not a text of at most ${LONGEST_NAME} letters`
+function problemOfCircles(circles: unknown): string | undefined {
+  if (!isListOfNumbers(circles) || circles.length % 3 !== 0) return 'the circles do not have three finite numbers each'
+  if (circles.length > 3 * LINK_LIMITS.circles) tooMuch()
+  for (let i = 0; i < circles.length / 3; i++) {
+    const problem = problemOfCircle(circles, 3 * i)
+    if (problem !== undefined) return `circle ${i} ${problem}`
   }
-  if (question !== undefined && !(typeof question === 'string' && question.length <= LONGEST_QUESTION))
-    return `the field question is not a text of at most ${LONGEST_QUESTION} letters`
-  if (readonly !== undefined && typeof readonly !== 'boolean') return 'the field readonly is neither true nor false'
-  const isPlain =
-    check === undefined || (isRecord(check) && isLayer(check, DEEPEST_CHECK, { left: LINK_LIMITS.layerValues }))
-  return isPlain ? undefined : 'the field check is invalid'
+  return undefined
+}
+
+function problemOfEdits(edits: unknown): string | undefined {
+  if (!Array.isArray(edits) || !edits.every(isEdit)) return 'the edits are invalid'
+  if (edits.length > LINK_LIMITS.edits) tooMuch()
+  for (const [i, [kind, ...numbers]] of edits.entries()) {
+    const problem = kind === '-' ? undefined : problemOfCircle(numbers, numbers.length - 3)
+    if (problem !== undefined) return `the circle of edit ${i} ${problem}`
+  }
+  return undefined
 }
 
 /** Whether a value consists of rings of finite numbers. The shape of the rings is not checked. */
@@ -485,12 +436,17 @@ function problemOfCircle(numbers: readonly number[], first: number): string | un
   return isTooLarge ? `has a coordinate or a radius beyond ${COORDINATE_LIMIT_TEXT}` : undefined
 }
 
-function isEdit(edit: unknown): edit is NonNullable<EncodedLink['edits']>[number] {
+function isEdit(edit: unknown): edit is EncodedEdit {
   if (!Array.isArray(edit) || typeof edit[0] !== 'string' || !Object.hasOwn(EDITS, edit[0])) return false
   const [count, hasId] = EDITS[edit[0]] as readonly [number, boolean]
   const numbers = edit.slice(1)
   if (numbers.length !== count || !isListOfNumbers(numbers)) return false
   return !hasId || (Number.isInteger(numbers[0]) && (numbers[0] as number) >= 0 && (numbers[0] as number) < 2 ** 31)
+}
+
+/** Whether a value is a record of plain values that are nested at most `depth` deep. */
+function isPlain(value: unknown, depth: number): boolean {
+  return isRecord(value) && isLayer(value, depth, { left: LINK_LIMITS.layerValues })
 }
 
 function isLayer(value: unknown, depth: number, count: { left: number }): value is LayerValue {

@@ -5,6 +5,7 @@ import { strToU8, zipSync } from 'fflate'
 import courseScript from '../../embed/course.ts?worker&url'
 import frameSheet from '../../embed/embed.css?inline'
 import page from '../../embed.html?raw'
+import { escaped } from '../../lib/drawing/escaped.ts'
 import tokens from '../../style/tokens.css?inline'
 
 /** A fixed date, so that the same link gives the same bytes. */
@@ -94,8 +95,4 @@ async function textOf(address: string): Promise<string> {
   const response = await fetch(url).catch(() => undefined)
   if (response?.ok !== true) throw new Error(`The file cannot be made: ${url.pathname} cannot be loaded.`)
   return response.text()
-}
-
-function escaped(text: string): string {
-  return text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;')
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { escaped } from '../../lib/drawing/escaped.ts'
 
 /** Saves a file through the browser. */
 export function save(content: Blob, name: string): void {
@@ -29,8 +30,4 @@ const SHAPES: Readonly<Record<FrameShape, string>> = { figure: '3 / 2', question
 export function embedCode(address: string, title = 'Voronoi diagram of circles', shape: FrameShape = 'figure'): string {
   const style = `width: 100%; height: auto; aspect-ratio: ${SHAPES[shape]}; max-height: 90vh; border: 0`
   return `<iframe src="${address}" title="${escaped(title)}" loading="lazy" width="100%" height="480" style="${style}"></iframe>`
-}
-
-function escaped(text: string): string {
-  return text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;')
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads SVG drawings. Drawings of the page have a link or a table in their metadata; drawings of the program have circles.
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import { escaped } from '../../lib/drawing/escaped.ts'
+import { escaped, unescaped } from '../../lib/drawing/escaped.ts'
 import type { Read } from './files-protocol.ts'
 
 const LINK = /<metadata id="circle-voronoi">(v\d+\.[\w-]+)<\/metadata>/
@@ -29,8 +29,8 @@ function withMetadata(svg: string, id: string, text: string): string {
 
 /** The CSV in a drawing. */
 export function tableOfSvg(text: string): string | undefined {
-  const table = TABLE.exec(text)?.[1]?.trimStart()
-  return table?.replace(/&#(\d+);/g, (_, code) => String.fromCharCode(Number(code)))
+  const table = TABLE.exec(text)?.[1]
+  return table && unescaped(table.trimStart())
 }
 
 /** @throws CircleVoronoiError `badInput` */
