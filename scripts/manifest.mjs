@@ -5,20 +5,21 @@ import { create, ts } from '@custom-elements-manifest/analyzer'
 import { ROOT } from './run.mjs'
 
 const SOURCE = 'web/element/circle-voronoi-element.ts'
+const TABLE = 'web/element/properties.ts'
 const BUILT = 'dist/element/index.js'
 const TAG = 'circle-voronoi'
 /** Members of all elements, and members that only the browser calls. */
 const COMMON = /^(#.*|.*Callback|addEventListener|focus|form|validity|validationMessage|checkValidity|reportValidity)$/
 
 export function manifest() {
-  const file = ts.createSourceFile(SOURCE, readFileSync(ROOT + SOURCE, 'utf8'), ts.ScriptTarget.ES2015, true)
+  const file = parsed(SOURCE)
   const { schemaVersion, modules } = create({ modules: [file], plugins: [] })
   const element = modules[0].declarations.find(({ name }) => name === 'CircleVoronoiElement')
-  const members = element.members
+  const members = [...element.members, ...accessorsOf(file)]
     // The analyzer takes assignments to other objects for members without a description.
     .filter(({ name, description, static: isStatic }) => description && !isStatic && !COMMON.test(name))
     .map(({ readonly, ...member }) => ({ ...plain(member), ...(readonly && { readonly }) }))
-  const attributes = [...attributesOf(file), 'name'].sort().map((name) => {
+  const attributes = attributesOf(parsed(TABLE)).map((name) => {
     const { type, description } = members.find((member) => member.name === name)
     const isText = !/^(number|boolean|'.*')( \| undefined)?$/.test(type.text)
     const text = isText ? 'string' : type.text.replace(' | undefined', '')
@@ -50,20 +51,39 @@ export function manifest() {
   }
 }
 
-/** The names in `ATTRIBUTES`. */
+function parsed(source) {
+  return ts.createSourceFile(source, readFileSync(ROOT + source, 'utf8'), ts.ScriptTarget.ES2015, true)
+}
+
+/** The names of the rows of `PROPERTIES`. */
 function attributesOf(file) {
-  const list = find(file, (node) => ts.isVariableDeclaration(node) && node.name.text === 'ATTRIBUTES')
-  return list.initializer.expression.elements.map(({ text }) => text)
+  const table = find(file, (node) => ts.isVariableDeclaration(node) && node.name.text === 'PROPERTIES')
+  return find(table, ts.isObjectLiteralExpression).properties.map(({ name }) => name.text)
+}
+
+/** The accessors that the class defines from the table. */
+function accessorsOf(file) {
+  return membersOf(file, 'CircleVoronoiElement')
+    .filter(ts.isGetAccessor)
+    .map(({ name, type, jsDoc }) => ({
+      kind: 'field',
+      name: name.text,
+      type: { text: type.getText(file) },
+      description: jsDoc[0].comment,
+    }))
 }
 
 /** The events in `CircleVoronoiEventMap`. */
 function eventsOf(file) {
-  const map = find(file, (node) => ts.isInterfaceDeclaration(node) && node.name.text === 'CircleVoronoiEventMap')
-  return map.members.map((member) => ({
-    name: member.name.text,
-    type: { text: member.type.getText(file) },
-    description: member.jsDoc[0].comment,
+  return membersOf(file, 'CircleVoronoiEventMap').map(({ name, type, jsDoc }) => ({
+    name: name.text,
+    type: { text: type.getText(file) },
+    description: jsDoc[0].comment,
   }))
+}
+
+function membersOf(file, name) {
+  return find(file, (node) => ts.isInterfaceDeclaration(node) && node.name.text === name).members
 }
 
 function find(node, is) {

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest'
 import { Editing } from '../../web/editing/editing.ts'
+import { requestOf } from '../../web/editing/open-request.ts'
 import { INITIAL_STATE } from '../../web/editing/state.ts'
-import { opened } from '../../web/element/data-of.ts'
 import type { Circle, Diagram, Edit } from '../../web/lib/index.ts'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
@@ -69,9 +69,9 @@ describe('a region as text', () => {
 
   it('can be opened without areas, and areas without a region', () => {
     const circles = Float64Array.of(1, 1, 1)
-    expect(opened(circles, { region: RINGS }).domain).toEqual({ region: RINGS, areas: undefined })
-    expect(opened(circles, { areas: 'equal' }).domain).toEqual({ region: undefined, areas: 'equal' })
-    expect(opened(circles).domain).toBeUndefined()
+    expect(requestOf({ circles, region: RINGS }).domain).toEqual({ region: RINGS, areas: undefined })
+    expect(requestOf({ circles, areas: 'equal' }).domain).toEqual({ region: undefined, areas: 'equal' })
+    expect(requestOf({ circles }).domain).toBeUndefined()
   })
 
   it('may be rings that belong to no polygon yet', () => {

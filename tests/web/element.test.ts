@@ -7,13 +7,14 @@ import {
   parseControls,
   parseLayers,
   parseMethod,
+  parseRegion,
   parseSamples,
   parseStep,
   parseView,
 } from '../../web/element/attributes.ts'
 import { checkCircles, holds, idsOf, parseCheck, withIds } from '../../web/element/check.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
-import { openedFrom, regionFrom } from '../../web/element/data-of.ts'
+import { regionAt, requestAt } from '../../web/element/data-of.ts'
 import { ENGLISH_GOALS, goalRings, goalSentence, goalsOf } from '../../web/element/goals.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { circlesOfMarkdown, readCircles } from '../../web/element/read-circles.ts'
@@ -86,17 +87,17 @@ describe('circles at an address', () => {
   test('are a file, a file that holds a link, or a link of the playground itself', async () => {
     const link = await encodeLink({ circles: THREE, step: 2 })
     gives('x,y,r,name\n0,0,1,A\n5,0,2,B\n0,5,1,C\n')
-    const table = await openedFrom('a.csv', signal)
+    const table = await requestAt('a.csv', signal)
     expect(table).toMatchObject({ circles: THREE, attributes: { columns: [{ name: 'name' }] } })
     expect(asked).toEqual([['a.csv', { signal }]])
     gives('[[0, 0, 1], [5, 0, 2], [0, 5, 1]]')
-    expect(await openedFrom('a.json', signal)).toEqual({ circles: THREE, dataSet: '', isEdited: false })
+    expect(await requestAt('a.json', signal)).toEqual({ circles: THREE, dataSet: '', isEdited: false })
     for (const text of [link, `https://example.org/#${link}\n`]) {
       gives(text)
-      expect(await openedFrom('a.txt', signal)).toMatchObject({ circles: THREE, step: 2 })
+      expect(await requestAt('a.txt', signal)).toMatchObject({ circles: THREE, step: 2 })
     }
     asked.length = 0
-    expect(await openedFrom(`https://example.org/page.html#${link}`, signal)).toMatchObject({ circles: THREE, step: 2 })
+    expect(await requestAt(`https://example.org/page.html#${link}`, signal)).toMatchObject({ circles: THREE, step: 2 })
     expect(asked).toEqual([])
   })
 
@@ -108,7 +109,7 @@ describe('circles at an address', () => {
       ['x,y,r\n', 200],
     ] as const) {
       gives(text, status)
-      const error = await openedFrom('a.csv', signal).catch((error: Refusal<ElementRefusals>) => error)
+      const error = await requestAt('a.csv', signal).catch((error: Refusal<ElementRefusals>) => error)
       expect(error).toBeInstanceOf(Refusal)
       const { code, say } = error as Refusal<ElementRefusals>
       expect([code, (error as Error).message]).toEqual(['badInput', expect.stringContaining('a.csv')])
@@ -119,12 +120,11 @@ describe('circles at an address', () => {
   test('of a region are text or at an address beside the page', async () => {
     const square = 'POLYGON ((0 0, 1 0, 1 1, 0 1))'
     gives(square)
-    const region = await regionFrom('b.wkt', 'https://example.org/c/', signal)
-    expect(asked).toEqual([['https://example.org/c/b.wkt', { signal }]])
-    expect(await regionFrom(square, 'https://example.org/c/', signal)).toEqual(region)
-    expect(asked).toHaveLength(1)
+    expect(await regionAt('b.wkt', signal)).toEqual(parseRegion(square))
+    expect(asked).toEqual([['b.wkt', { signal }]])
+    expect(parseRegion('b.wkt')).toBe('b.wkt')
     gives('', 500)
-    await expect(regionFrom('b.wkt', 'https://example.org/c/', signal)).rejects.toMatchObject({ code: 'badInput' })
+    await expect(regionAt('b.wkt', signal)).rejects.toMatchObject({ code: 'badInput' })
   })
 })
 
@@ -161,8 +161,7 @@ describe('attributes', () => {
   })
 
   test('controls are buttons, the player or both', () => {
-    const both = (text: string | null) => Object.values(parseControls(text))
-    expect(both(null)).toEqual([false, false])
+    const both = (text: string) => Object.values(parseControls(text))
     for (const text of ['', 'controls', 'true']) expect(both(text)).toEqual([true, false])
     expect(both('player')).toEqual([false, true])
     expect(both(' buttons  player ')).toEqual([true, true])
@@ -394,9 +393,7 @@ describe('the manifest', () => {
     expect(names(element.members).sort()).toEqual(prototype.filter((name) => !ofElements.test(name)).sort())
     for (const { name, description } of element.members) expect(description, name).toMatch(/\.$/)
     for (const { fieldName } of element.attributes) expect(prototype).toContain(fieldName)
-    // The attribute `name` is read on demand, not observed.
-    const observed = names(element.attributes).filter((name) => name !== 'name')
-    expect(observed.sort()).toEqual([...CircleVoronoiElement.observedAttributes].sort())
+    expect(names(element.attributes).sort()).toEqual([...CircleVoronoiElement.observedAttributes].sort())
   })
 
   test('has the parts, slots and custom properties that there are', () => {

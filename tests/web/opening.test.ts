@@ -2,7 +2,7 @@
 // The whole page opens one thing after another, and has a link of what it shows.
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
-import type { OpenRequest } from '../../web/editing/opening-actions.ts'
+import type { OpenRequest } from '../../web/editing/open-request.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { type Attributes, attributesOfLink, isNumeric, numbersIn, textIn, valueIn } from '../editing/attributes.ts'
+import { type Attributes, isNumeric, numbersIn, textIn, valueIn } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
 import { EditorActions } from '../editing/editor-actions.ts'
 import type { CircleSet } from '../editing/history.ts'
 import { COLOR, colorColumn, isColor, NAME, nameColumn, nameIn } from '../editing/identity.ts'
-import type { HowOpened, OpenRequest } from '../editing/opening-actions.ts'
+import { type OpenRequest, requestOf } from '../editing/open-request.ts'
+import type { HowOpened } from '../editing/opening-actions.ts'
 import { dataSetName, type Remedy, type State } from '../editing/state.ts'
 import type { Circle, Edit, Float64s, Lattice, Point } from '../lib/index.ts'
 import { decodeLink, LINK_LIMITS, type LinkFrame, type LinkView } from '../lib/link.ts'
@@ -201,9 +202,8 @@ export class PageActions extends EditorActions {
       const { circles, attributes, size } = await read()
       const { width, height } = size
       this.photos.set(attributes, { file, count, size })
-      const frame = [[[0, 0] as const, [width, 0] as const, [width, height] as const, [0, height] as const]]
-      const domain = { region: frame, areas: undefined }
-      return { circles, attributes, domain, dataSet: '', isEdited: false }
+      const region = [[[0, 0] as const, [width, 0] as const, [width, height] as const, [0, height] as const]]
+      return { ...requestOf({ circles, region }), attributes }
     })
   }
 
@@ -311,26 +311,18 @@ export class PageActions extends EditorActions {
     return this.open(async () => {
       const result = await read()
       if ('link' in result) return { ...(await this.#linked(result.link)), file }
-      const { region, skipped, ...circles } = result
-      const domain = region === undefined ? undefined : { region, areas: undefined }
-      return { ...circles, domain, dataSet: '', isEdited: false, file }
+      const { region, skipped, ...given } = result
+      return { ...requestOf({ region }), ...given, file }
     })
   }
 
   async #linked(text: string): Promise<OpenRequest> {
     const state = await decodeLink(text)
-    const { circles, dataSet, edits, view, layers = {}, step, method, region, lattice, areas, colors, headings } = state
-    const attributes = attributesOfLink(state, (circles?.length ?? 0) / 3)
-    const scene =
-      circles === undefined
-        ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
-        : { circles, headings, ...(attributes && { attributes }), dataSet: '', isEdited: false }
-    const own = 'domain' in scene ? scene.domain : undefined
-    const shown = region === undefined ? own?.region : (region ?? undefined)
-    const domain = (shown ?? lattice ?? areas) && { region: shown, lattice: lattice ?? undefined, areas }
+    const { circles, dataSet = nameFrom(DATA_SETS[0] as DataSet), layers = {}, step } = state
+    const named = circles === undefined ? await this.#loadNamed(dataSet, loadLinked) : undefined
     const frame = frameOf(state)
     this.frame = Object.keys(frame).length > 0 ? frame : undefined
-    return { ...scene, domain, edits, view, layers, step, method, colors }
+    return requestOf({ ...state, layers, step }, named)
   }
 
   async #loadNamed(name: string, load = loadDataSet): Promise<CircleSet> {

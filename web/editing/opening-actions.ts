@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { COORDINATE_LIMIT, SMALLEST_INPUT } from '../lib/base/coordinate-limits.ts'
-import type { Edit, Point } from '../lib/index.ts'
-import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
+import type { Point } from '../lib/index.ts'
+import type { LinkInput } from '../lib/link.ts'
 import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { HANDLE_RADIUS } from '../view/overlay.ts'
 import { fileAttributes, NO_ATTRIBUTES } from './attributes.ts'
 import { isSameCamera } from './camera-actions.ts'
-import type { CircleSet } from './history.ts'
+import type { OpenRequest } from './open-request.ts'
 import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
 import { SelectionActions } from './selection-actions.ts'
 
@@ -21,17 +21,6 @@ const PATH_ROWS = [0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3]
 function isInRange(circles: Float64Array): boolean {
   const largest = circles.reduce((most, value) => Math.max(most, Math.abs(value)), 0)
   return largest === 0 || (largest >= SMALLEST_INPUT && largest <= COORDINATE_LIMIT)
-}
-
-/** Circles to open, with the viewport, layers and step of a link. */
-export interface OpenRequest extends CircleSet {
-  readonly edits?: readonly Edit[] | undefined
-  readonly view?: LinkView | undefined
-  readonly layers?: LinkState['layers']
-  /** The step of playback. If `step` is missing, a running player restarts. */
-  readonly step?: number | undefined
-  /** The method to play. Default: the usual one. */
-  readonly method?: string | undefined
 }
 
 /** The loading stage of circles. */

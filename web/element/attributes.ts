@@ -4,9 +4,11 @@ import { reasonOf } from '../lib/base/errors.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
 import type { Lattice } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
+import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { Areas } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import { shownValue } from '../view/refusal.ts'
+import { isRegionText, readRegion } from '../view/region-text.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
 /** The layers with a numeric value. */
@@ -114,21 +116,29 @@ export function checkedAreas(areas: unknown, got = areas): Areas {
   refuse((words) => words.must(words.areas, words.sharesOrEqual, shownValue(got)))
 }
 
+/**
+ * Parses a region. Any other text is the address of a file, and an empty text is no region.
+ * @throws CircleVoronoiError
+ */
+export function parseRegion(text: string): RegionShape | string | undefined {
+  return isRegionText(text) ? readRegion(text) : text || undefined
+}
+
 const CONTROLS = ['buttons', 'player']
 /** Values that frameworks give to boolean attributes. */
 const BARE = ['controls', 'true']
 
 /**
- * Parses the visible controls; `null` means none. An empty value shows buttons.
+ * Parses the visible controls. An empty value shows buttons.
  * @throws Refusal
  */
-export function parseControls(text: string | null): { readonly hasButtons: boolean; readonly hasPlayer: boolean } {
-  const words = wordsIn(text ?? '')
+export function parseControls(text: string): { readonly hasButtons: boolean; readonly hasPlayer: boolean } {
+  const words = wordsIn(text)
   const isWrong =
     words.some((word) => !CONTROLS.includes(word)) && !(words.length === 1 && BARE.includes(words[0] as string))
   if (isWrong) refuse((said) => said.must(said.controls, said.someOf(CONTROLS), shownValue(text)))
   const hasPlayer = words.includes('player')
-  return { hasButtons: text !== null && (!hasPlayer || words.length > 1), hasPlayer }
+  return { hasButtons: !hasPlayer || words.length > 1, hasPlayer }
 }
 
 /** @throws Refusal */

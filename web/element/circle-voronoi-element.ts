@@ -2,7 +2,7 @@
 
 import type { Past } from '../editing/editing.ts'
 import { EditorActions } from '../editing/editor-actions.ts'
-import type { OpenRequest } from '../editing/opening-actions.ts'
+import { type OpenRequest, requestOf } from '../editing/open-request.ts'
 import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
@@ -15,34 +15,22 @@ import { Figure } from '../player/figure.ts'
 import type { DiagramCounts } from '../view/diagram-counts.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { toPNG, toSVG } from '../view/export.ts'
-import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
+import { keptLayers, type Layers } from '../view/layers.ts'
 import type { FigureLoadOptions } from '../view/load.ts'
 import { Paper } from '../view/paper.ts'
 import { shownValue } from '../view/refusal.ts'
-import { isRegionText, readRegion } from '../view/region-text.ts'
 import { Rings } from '../view/rings.ts'
 import type { View } from '../view/view.ts'
-import {
-  checkedAreas,
-  checkedLattice,
-  checkedView,
-  parseAreas,
-  parseControls,
-  parseLattice,
-  parseLayers,
-  parseMethod,
-  parseSamples,
-  parseStep,
-  parseView,
-} from './attributes.ts'
-import { checkCircles, holds, idsOf, parseCheck } from './check.ts'
+import { checkCircles, holds, idsOf } from './check.ts'
 import { mountControls, paddingBelow } from './controls.ts'
-import { circlesWithin, linkState, opened, openedFrom, openedState, openedText, regionFrom } from './data-of.ts'
+import { circlesWithin, linkState, regionAt, requestAt, requestOfState, requestOfText } from './data-of.ts'
+import type { CircleVoronoiProps } from './frameworks.ts'
 import type { Goal } from './goal-types.ts'
 import { goalRings, goalSentence, goalsOf } from './goals.ts'
 import { whenIdle } from './idle.ts'
 import { loadWords, wordsOf } from './language.ts'
-import { circlesOfValue, readCircles } from './read-circles.ts'
+import { attributeText, PROPERTIES, type Property, type PropertyName, type ValueOf, type Values } from './properties.ts'
+import { circlesOfValue } from './read-circles.ts'
 import { refuse } from './refusals.ts'
 import { Shell } from './shell.ts'
 import { watchVisibility } from './visibility.ts'
@@ -102,24 +90,8 @@ const MOST_DRAWN = 5000
 /** A substitute for `HTMLElement` in Node, where this module can be imported but not used. */
 const Base: typeof HTMLElement = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement)
 
-const ATTRIBUTES = [
-  'alt',
-  'areas',
-  'check',
-  'circles',
-  'controls',
-  'dissolve',
-  'lang',
-  'lattice',
-  'layers',
-  'method',
-  'readonly',
-  'region',
-  'samples',
-  'src',
-  'step',
-  'view',
-] as const
+/** The names of all properties that can be set before the class is defined, in the order in which they take effect. */
+const NAMES = ['value', ...(Object.keys(PROPERTIES) as PropertyName[]), 'selection'] as const
 
 /**
  * `<circle-voronoi>`: a figure of circles and their Voronoi diagram, which readers can explore and edit.
@@ -177,26 +149,39 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-cell-opacity - A color whose alpha value is the opacity of the circles' colors in their cells.
  * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The aspect ratio of the picture, if its height is not set.
  */
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: its static block defines the accessors of the interface
 export class CircleVoronoiElement extends Base {
   /** Tells the browser that the element can be part of a form. */
   static readonly formAssociated = true
   /** The attributes that the element observes. */
-  static readonly observedAttributes: readonly string[] = ATTRIBUTES
+  static readonly observedAttributes: readonly string[] = Object.keys(PROPERTIES)
   /** The sources of the WebAssembly, used by the first element of a page. */
   static load: FigureLoadOptions = {}
+
+  static {
+    for (const name of Object.keys(PROPERTIES) as PropertyName[]) {
+      if (Object.hasOwn(CircleVoronoiElement.prototype, name)) continue
+      Object.defineProperty(CircleVoronoiElement.prototype, name, {
+        get(this: CircleVoronoiElement) {
+          return this.#get(name)
+        },
+        set(this: CircleVoronoiElement, value: unknown) {
+          this.#set(name, value)
+        },
+        configurable: true,
+      })
+    }
+  }
 
   readonly #internals: ElementInternals
   readonly #shell: Shell
   #figure: Figure | undefined
+  /** The values of attributes. */
+  readonly #parsed: Values = {}
+  /** The values of properties, which replace those of attributes. */
+  readonly #assigned: Values = {}
   /** The data that was set by properties instead of attributes and children. */
   #own: OpenRequest | undefined
-  /** The layers that were set by the property. */
-  #layers: Layers | undefined
-  #view: LinkView | undefined
-  #region: RegionShape | undefined
-  #lattice: Lattice | undefined
-  #areas: Areas | undefined
-  #check: Check | undefined
   #isMet: boolean | undefined
   #goals: readonly Goal[] = []
   /** The goals in a sentence, as the last event told them. */
@@ -214,7 +199,7 @@ export class CircleVoronoiElement extends Base {
   #past: { readonly own: OpenRequest; readonly past: Past } | undefined
   #paper: Paper | undefined
   /** The cached `value`, and the number of its change. */
-  #value: { readonly circles: Float64s; readonly change: number } | undefined
+  #cached: { readonly circles: Float64s; readonly change: number } | undefined
   /** The number of running changes by programs. Without any, changes are a reader's. */
   #programs = 0
   /** Whether a reader still holds the circles that they have changed. */
@@ -255,7 +240,7 @@ export class CircleVoronoiElement extends Base {
 
   /** Starts the figure when it comes into view, or when the browser has nothing else to do. */
   connectedCallback(): void {
-    for (const name of PROPERTIES) this.#upgrade(name)
+    for (const name of NAMES) this.#upgrade(name)
     this.#speak()
     this.#children = new MutationObserver(() => {
       if (this.#figure !== undefined && this.#isOfChildren) this.#reload()
@@ -285,67 +270,94 @@ export class CircleVoronoiElement extends Base {
   }
 
   /** Applies an attribute. A wrong value is an `error` event and changes nothing. */
-  attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
-    const text = this.getAttribute(name)
+  attributeChangedCallback(name: PropertyName, _before: string | null, text: string | null): void {
     this.#try(name, () => {
-      if (text !== null && name in PARSERS) PARSERS[name as keyof typeof PARSERS](text)
-      this.#take(name)
+      const parsed = text === null ? undefined : PROPERTIES[name].parse(text)
+      Object.assign(this.#parsed, { [name]: parsed })
+      this.#assigned[name] = undefined
+      this.#follow(name)
     })
   }
 
-  #take(name: (typeof ATTRIBUTES)[number]): void {
+  /** The value of a property or of its attribute; `undefined` if neither is set. */
+  #given<Name extends PropertyName>(name: Name): Values[Name] {
+    return this.#assigned[name] ?? this.#parsed[name]
+  }
+
+  #value<Name extends PropertyName>(name: Name): ValueOf<Name> {
+    return (this.#given(name) ?? (PROPERTIES[name] as Property).none) as ValueOf<Name>
+  }
+
+  #get(name: PropertyName): unknown {
+    if (name === 'controls') return this.getAttribute(name)
+    const isOfDomain = name === 'areas' || name === 'lattice' || name === 'region'
+    return structuredClone(isOfDomain ? this.#currentDomain[name] : this.#value(name))
+  }
+
+  #set(name: PropertyName, given: unknown): void {
+    const value = given ?? undefined
+    const { copied }: Property = PROPERTIES[name]
+    if (copied !== undefined && typeof value !== 'string') {
+      this.#try(name, () => {
+        Object.assign(this.#assigned, { [name]: value && copied(value as never) })
+        this.#follow(name)
+      })
+      return
+    }
+    let text: string | undefined
+    try {
+      text = attributeText(value)
+    } catch (error) {
+      this.#fail(name, error as Error)
+      return
+    }
+    if (text !== undefined) this.setAttribute(name, text)
+    else if (this.hasAttribute(name)) this.removeAttribute(name)
+    else this.#right(name)
+  }
+
+  /** Updates the part of the figure that a property changes. */
+  #follow(name: PropertyName): void {
     const figure = this.#figure
-    switch (name) {
-      case 'alt':
-        this.#describe()
-        return
+    const { part }: Property = PROPERTIES[name]
+    switch (part) {
       case 'check':
-        this.#readCheck()
-        return
+        this.#tellForm()
+        this.#checkCircles()
+        break
       case 'circles':
-      case 'src':
         this.#own = undefined
         if (figure !== undefined) this.#reload()
-        return
+        break
       case 'controls': {
         this.#applyControls()
-        const own = this.#ownStep
-        this.#play(own !== undefined || this.#controls.hasPlayer ? (figure?.step ?? own) : undefined)
-        return
+        const step = this.#value('step')
+        this.#play(step !== undefined || this.#value('controls').hasPlayer ? (figure?.step ?? step) : undefined)
+        break
       }
-      case 'lang':
-        this.#speak()
-        return
-      case 'readonly':
+      case 'description':
+        this.#describe()
+        break
+      case 'domain':
+        this.#changeDomain()
+        break
+      case 'editing':
         this.#applyControls()
-        return
-      case 'method':
-      case 'samples':
-        figure?.stepping.restart()
-        return
-      case 'step':
-        this.#play(this.#ownStep)
-        return
+        break
+      case 'language':
+        this.#speak()
+        break
       case 'layers':
-        this.#setLayers(undefined)
-        return
+        figure?.view.setLayers(this.#value('layers'))
+        break
+      case 'method':
+        figure?.stepping.restart()
+        break
+      case 'step':
+        this.#play(this.#value('step'))
+        break
       case 'view':
-        this.#setView(undefined)
-        return
-      case 'region':
-        this.#region = undefined
-        this.#changeDomain()
-        return
-      case 'dissolve':
-        this.#changeDomain()
-        return
-      case 'lattice':
-        this.#lattice = undefined
-        this.#changeDomain()
-        return
-      case 'areas':
-        this.#areas = undefined
-        this.#changeDomain()
+        figure?.actions.look(this.view)
     }
   }
 
@@ -391,8 +403,8 @@ export class CircleVoronoiElement extends Base {
     return this.#own?.circles.slice() ?? new Float64Array()
   }
 
-  set circles(circles: Circles | string | undefined | null) {
-    if (typeof circles === 'string') this.#reflect('circles', circles)
+  set circles(circles: CircleVoronoiProps['circles']) {
+    if (typeof circles === 'string') this.#set('circles', circles)
     else if (!isSet(circles) || circles !== this.#newest) this.#try('circles', () => this.#setCircles(circles))
   }
 
@@ -401,11 +413,11 @@ export class CircleVoronoiElement extends Base {
    * current circles again changes nothing, and `''` means "not set".
    */
   get value(): Float64s {
-    if (this.#value?.change !== this.#changes) this.#value = { circles: this.circles, change: this.#changes }
-    return this.#value.circles
+    if (this.#cached?.change !== this.#changes) this.#cached = { circles: this.circles, change: this.#changes }
+    return this.#cached.circles
   }
 
-  set value(value: Circles | string | undefined | null) {
+  set value(value: CircleVoronoiProps['value']) {
     if (value === '') this.circles = undefined
     else if (typeof value === 'string' || !isSet(value)) this.circles = value
     else this.#try('circles', () => this.#setValue(value))
@@ -426,209 +438,18 @@ export class CircleVoronoiElement extends Base {
     return this.#own?.kept?.ids.slice() ?? Int32Array.from({ length: this.circles.length / 3 }, (_, i) => i)
   }
 
-  /** The address of a file of circles (CSV, JSON or GeoJSON), or a link to the playground. */
-  get src(): string {
-    return this.getAttribute('src') ?? ''
-  }
-
-  set src(src: string | undefined | null) {
-    this.#reflect('src', src)
-  }
-
-  /**
-   * The visible part of the plane: `x` and `y` of its center, and `span`, the number of units that are visible at least
-   * in both directions. The attribute has these three numbers. `undefined` shows all circles.
-   */
-  get view(): LinkView | undefined {
-    return structuredClone(this.#view ?? this.#read('view', parseView))
-  }
-
-  set view(view: LinkView | string | undefined | null) {
-    if (typeof view === 'string') this.#reflect('view', view)
-    else this.#try('view', () => this.#setView(isSet(view) ? checkedView(view) : undefined))
-  }
-
-  /**
-   * The layers that the figure draws. The attribute has words, such as `hull`, `no-edges`, `cells=degree` and
-   * `max-distance=2`, or an object in JSON. Layers that you do not name have their defaults. `undefined` restores the
-   * layers of the attribute.
-   */
-  get layers(): Layers {
-    return structuredClone(this.#layers ?? this.#read('layers', parseLayers) ?? DEFAULT_LAYERS)
-  }
-
-  set layers(layers: Partial<Layers> | string | undefined | null) {
-    if (typeof layers === 'string') this.#reflect('layers', layers)
-    else this.#try('layers', () => this.#setLayers(isSet(layers) ? checkedLayers(layers) : undefined))
-  }
-
-  /**
-   * The region to which cells are clipped: polygons with holes. Set GeoJSON (`Polygon`, `MultiPolygon`, `Feature`,
-   * `FeatureCollection`), a list of rings of points, or text like the attribute: GeoJSON, rings in JSON, well-known
-   * text (`POLYGON ((0 0, 9 0, 9 9, 0 9))`) or the address of such a file. `undefined` if there is none. Areas of cells
-   * are measured inside the region. A region whose rings cross causes an `error` event, unless `dissolve` is set.
-   */
-  get region(): RegionShape | undefined {
-    return structuredClone(this.#currentDomain.region)
-  }
-
-  set region(region: RegionShape | string | undefined | null) {
-    if (typeof region === 'string') this.#reflect('region', region)
-    else {
-      this.#try('region', () => {
-        this.#region = isSet(region) ? plainRegion(region) : undefined
-        this.#changeDomain()
-      })
-    }
-  }
-
-  /** Whether polygons of the region that share borders or overlap, as administrative areas do, are merged. */
-  get dissolve(): boolean {
-    return this.hasAttribute('dissolve')
-  }
-
-  set dissolve(isDissolved: boolean | undefined | null) {
-    this.toggleAttribute('dissolve', isDissolved === true)
-  }
-
-  /**
-   * The two periods with which the circles repeat: the sides of a box whose opposite sides are glued together, as `{ a:
-   * [ax, ay], b: [bx, by] }`. The attribute has the four numbers, separated by spaces. The figure shows the box with a
-   * corner at the origin, and dimmed images around it. A circle that is dragged out of the box comes in on the other
-   * side. A lattice takes no region. Periods that are parallel cause an `error` event. `undefined` if circles do not
-   * repeat.
-   */
-  get lattice(): Lattice | undefined {
-    return structuredClone(this.#currentDomain.lattice)
-  }
-
-  set lattice(lattice: Lattice | string | undefined | null) {
-    if (typeof lattice === 'string') this.#reflect('lattice', lattice)
-    else {
-      this.#try('lattice', () => {
-        this.#lattice = isSet(lattice) ? checkedLattice(lattice) : undefined
-        this.#changeDomain()
-      })
-    }
-  }
-
-  /**
-   * The areas of the cells inside the region: `equal`, or a list of numbers above 0 in the order of the circles, which
-   * are scaled to the area of the region. In the attribute, numbers are separated by spaces. The figure chooses the
-   * radii of the circles as weights that give each cell its area, and shows the circles as points. The cells keep their
-   * areas while points are moved; an added circle gets the mean of the others. `undefined` if circles keep their radii.
-   */
-  get areas(): Areas | undefined {
-    return structuredClone(this.#currentDomain.areas)
-  }
-
-  set areas(areas: Areas | string | undefined | null) {
-    if (typeof areas === 'string') this.#reflect('areas', areas)
-    else {
-      this.#try('areas', () => {
-        this.#areas = isSet(areas) ? checkedAreas(areas) : undefined
-        this.#changeDomain()
-      })
-    }
-  }
-
   /**
    * The step of the method that is visible, from 0, or `undefined` if the figure shows the diagram. The figure shows the
    * method while a step is set, and with `controls="player"`.
    */
   get step(): number | undefined {
-    return this.#figure?.step ?? this.#ownStep
+    return this.#figure?.step ?? this.#value('step')
   }
 
-  set step(step: number | undefined | null) {
+  set step(step: CircleVoronoiProps['step']) {
     // Removing a missing attribute causes no callback.
     if (!isSet(step) && !this.hasAttribute('step')) this.#play(undefined)
-    else this.#reflect('step', step)
-  }
-
-  /** The method of `compute()` (default: `auto`) and of the player (default: `touching-disc`). */
-  get method(): Method {
-    return this.#read('method', parseMethod) ?? 'auto'
-  }
-
-  set method(method: Method | undefined | null) {
-    this.#reflect('method', method)
-  }
-
-  /** The number of samples of the touching disc method, as in the options of the library. */
-  get samples(): number | undefined {
-    return this.#read('samples', parseSamples)
-  }
-
-  set samples(samples: number | undefined | null) {
-    this.#reflect('samples', samples)
-  }
-
-  /**
-   * The controls: `player` is the player below the figure, `buttons player` adds buttons, and any other text shows
-   * buttons. `null` for no controls.
-   */
-  get controls(): string | null {
-    return this.getAttribute('controls')
-  }
-
-  set controls(controls: string | boolean | undefined | null) {
-    this.#reflect('controls', controls === true ? '' : controls === false ? undefined : controls)
-  }
-
-  /** Whether readers cannot edit the circles. */
-  get readonly(): boolean {
-    return this.hasAttribute('readonly')
-  }
-
-  set readonly(isReadonly: boolean | undefined | null) {
-    this.toggleAttribute('readonly', isReadonly === true)
-  }
-
-  /** The name of the figure for screen readers. */
-  get alt(): string {
-    return this.getAttribute('alt') ?? ''
-  }
-
-  set alt(alt: string | undefined | null) {
-    this.#reflect('alt', alt)
-  }
-
-  /** The language of the element: German (`de`) or English (anything else). Default: the language of the page. */
-  override get lang(): string {
-    return this.getAttribute('lang') ?? ''
-  }
-
-  override set lang(lang: string | undefined | null) {
-    this.#reflect('lang', lang)
-  }
-
-  /** The condition that the circles must meet before the form can be submitted, for example `{ cell: 3, edges: 3 }`. */
-  get check(): Check | undefined {
-    return structuredClone(this.#check)
-  }
-
-  set check(check: Check | string | undefined | null) {
-    let text: string | undefined | null
-    try {
-      text = typeof check === 'object' && check !== null ? JSON.stringify(check) : check
-    } catch (error) {
-      this.#fail('check', error as Error)
-      return
-    }
-    // Setting an attribute that is missing anyway causes no callback.
-    if (!isSet(text)) this.#right('check')
-    // An error in the text is reported by the attribute's callback.
-    this.#reflect('check', text)
-  }
-
-  /** The name of the field in a form. Its value is JSON: `{ "circles": [[x, y, r], ...], "check": true }`. */
-  get name(): string {
-    return this.getAttribute('name') ?? ''
-  }
-
-  set name(name: string | undefined | null) {
-    this.#reflect('name', name)
+    else this.#set('step', step)
   }
 
   /** The form that the element belongs to. */
@@ -661,7 +482,7 @@ export class CircleVoronoiElement extends Base {
     return (this.#nextSelection ?? this.#selection).slice()
   }
 
-  set selection(selection: readonly number[] | undefined | null) {
+  set selection(selection: CircleVoronoiProps['selection']) {
     this.#try('selection', () => {
       const ids: unknown = selection ?? []
       if (!Array.isArray(ids)) {
@@ -748,7 +569,7 @@ export class CircleVoronoiElement extends Base {
       await this.#byProgram(() => figure.change(said))
       return
     }
-    const next = { domain: NO_DOMAIN, ...openedState(said) }
+    const next = requestOfState(said)
     const opening = { ...next, layers: next.layers ?? {}, step: next.step ?? this.#firstStep }
     await this.#byProgram(() => figure.open(opening))
     this.#own = next
@@ -768,7 +589,7 @@ export class CircleVoronoiElement extends Base {
 
   /** Shows a step of the method, or the nearest existing one. The promise resolves when the step is visible. */
   async stepTo(step: number): Promise<void> {
-    parseStep(String(step))
+    PROPERTIES.step.parse(String(step))
     const figure = await this.#started()
     figure.stepping.pause()
     figure.actions.showStep(step)
@@ -810,7 +631,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   get #isReadonly(): boolean {
-    return this.readonly || this.#isDisabled
+    return this.#value('readonly') || this.#isDisabled
   }
 
   get #isOfChildren(): boolean {
@@ -849,7 +670,7 @@ export class CircleVoronoiElement extends Base {
       actions: (...of) => new EditorActions(...of, () => paddingBelow(controls)),
       onoutcome: ({ edited, isOpened }) => {
         this.#shell.isRunning = true
-        if (isOpened) this.#try('check', () => this.#checkCircles())
+        if (isOpened) this.#checkCircles()
         this.#describe()
         this.#tellForm()
         this.#tell('circleschange', this.#detail())
@@ -859,7 +680,7 @@ export class CircleVoronoiElement extends Base {
       onproblem: (error) => this.#tell('error', { error }),
       played: (kept = 'touching-disc') => {
         const { samples } = this
-        const method = this.#read('method', parseMethod) ?? (kept as Method)
+        const method = this.#given('method') ?? (kept as Method)
         return { method, ...(samples !== undefined && { samples }) }
       },
       onstep: (step, steps) => this.#tell('stepchange', { step, steps }),
@@ -881,7 +702,7 @@ export class CircleVoronoiElement extends Base {
       this.#selection = selection.slice()
       if (!isSame) this.#tell('selectionchange', { selection: selection.slice() })
     })
-    if (!this.#wrong.has('layers')) this.#try('layers', () => this.#setLayers(this.#layers))
+    view.setLayers(this.#value('layers'))
     this.#applyControls()
     this.#show()
     this.#reload()
@@ -922,7 +743,7 @@ export class CircleVoronoiElement extends Base {
       const { region = null, lattice = null } = figure.editing.domain
       const { circles, areas, colors, attributes, past } = figure.editing
       const rest = { view, layers, step, method, region, lattice, areas, colors }
-      const own = { ...opened(circles.circles(), rest), kept: circles.keptIds, attributes }
+      const own = { ...requestOf({ circles: circles.circles(), ...rest }), kept: circles.keptIds, attributes }
       this.#own = own
       this.#past = { own, past }
     }
@@ -965,17 +786,17 @@ export class CircleVoronoiElement extends Base {
       const given = await this.#opened(signal)
       if (signal.aborted) return
       // Without data, the figure becomes empty.
-      const opened = given ?? (figure.editing.scene && openedState({}))
+      const opened = given ?? (figure.editing.scene && requestOf({}))
       if (opened === undefined) return
       const view = opened.view ?? this.view
       const layers = opened.layers ?? keptLayers(this.layers)
-      const step = opened.step ?? this.#ownStep ?? this.#firstStep
+      const step = opened.step ?? this.#value('step') ?? this.#firstStep
       const domain = opened.domain ?? (await this.#domain(signal))
       if (signal.aborted) return
       await this.#openIn(figure, domain, { ...opened, view, layers, step })
       if (this.#past?.own === opened) figure.takeUp(this.#past.past)
       this.#past = undefined
-      figure.view.setLayers({ data: this.#layers?.data ?? [] })
+      figure.view.setLayers({ data: this.#value('layers').data })
     } catch (error) {
       if (signal.aborted) return
       if (figure.editing.scene === undefined) this.#shell.fail()
@@ -1005,25 +826,29 @@ export class CircleVoronoiElement extends Base {
     }
   }
 
-  /** Reads the region and the areas from attributes and properties. */
+  /** The domain of attributes and properties, with a region from the address of a file. */
   async #domain(signal: AbortSignal): Promise<Domain> {
-    const text = this.getAttribute('region')
-    let region = this.#region
+    const domain = this.#givenDomain
+    const given = this.#value('region')
+    let { region } = domain
     try {
-      if (region === undefined && text) region = await regionFrom(text, this.baseURI, signal)
+      if (typeof given === 'string') region = await regionAt(new URL(given, this.baseURI).href, signal)
       if (region !== undefined && this.dissolve) region = plainRegion(region, true)
     } catch (error) {
-      // An invalid text has been reported when it was set.
+      // A file that cannot be loaded is reported once.
       if (!signal.aborted && !this.#wrong.has('region')) this.#fail('region', error as Error)
     }
-    return { ...this.#givenDomain, region }
+    return { ...domain, region }
   }
 
-  /** The domain of attributes and properties, without a region that the attribute names. */
+  /** The domain of attributes and properties, without a region from the address of a file. */
   get #givenDomain(): Domain {
-    const lattice = this.#lattice ?? this.#read('lattice', parseLattice)
-    const areas = this.#areas ?? this.#read('areas', parseAreas)
-    return { region: this.#region, lattice, areas }
+    const region = this.#value('region')
+    return {
+      region: typeof region === 'string' ? undefined : region,
+      lattice: this.#value('lattice'),
+      areas: this.#value('areas'),
+    }
   }
 
   /** The domain of the circles that are visible, or will be. Areas are in the order of the circles. */
@@ -1052,25 +877,20 @@ export class CircleVoronoiElement extends Base {
   /** Returns the circles of properties, attributes or children; `undefined` if there are none. */
   async #opened(signal: AbortSignal): Promise<OpenRequest | undefined> {
     if (this.#own !== undefined) return this.#own
-    const text = this.getAttribute('circles')
-    if (text !== null) return openedText(readCircles(text))
-    if (this.src !== '') return openedFrom(new URL(this.src, this.baseURI).href, signal)
+    const read = this.#value('circles')
+    if (read !== undefined) return read()
+    if (this.src !== '') return requestAt(new URL(this.src, this.baseURI).href, signal)
     // While the page is loading, the children of the element may be incomplete.
     if (document.readyState === 'loading') {
       await new Promise((resolve) => addEventListener('DOMContentLoaded', resolve, { signal, once: true }))
     }
     const circles = circlesWithin(this)
-    return circles && openedText(circles)
-  }
-
-  /** The step that the page has set, as opposed to the visible one. */
-  get #ownStep(): number | undefined {
-    return this.#read('step', parseStep)
+    return circles && requestOfText(circles)
   }
 
   /** The first step to show, if the method is to be played. */
   get #firstStep(): number | undefined {
-    return this.#controls.hasPlayer ? 0 : undefined
+    return this.#value('controls').hasPlayer ? 0 : undefined
   }
 
   #play(step: number | undefined): void {
@@ -1080,7 +900,7 @@ export class CircleVoronoiElement extends Base {
 
   #applyControls(): void {
     const { controls, player } = this.#shell
-    const { hasButtons, hasPlayer } = this.#controls
+    const { hasButtons, hasPlayer } = this.#value('controls')
     player.hidden = !hasPlayer
     this.#describe()
     const figure = this.#figure
@@ -1093,38 +913,19 @@ export class CircleVoronoiElement extends Base {
     else mountControls(this.#shell, figure, this.#words, this.#isReadonly)
   }
 
-  #readCheck(): void {
-    this.#check = this.#read('check', parseCheck)
-    this.#tellForm()
-    this.#checkCircles()
-  }
-
-  /** @throws Refusal if the check is invalid or names missing circles */
+  /** Reports a check that names missing circles. */
   #checkCircles(): void {
-    const text = this.getAttribute('check')
+    const check = this.#value('check')
     const editing = this.#figure?.editing
-    if (text !== null && editing?.scene !== undefined) checkCircles(parseCheck(text), editing.circles.size)
+    this.#try('circles of check', () => {
+      if (check !== undefined && editing?.scene !== undefined) checkCircles(check, editing.circles.size)
+    })
   }
 
   #setCircles(circles: Circles | undefined | null): void {
-    this.#value = undefined
-    this.#own = isSet(circles) ? openedText(circlesOfValue(circles)) : undefined
+    this.#cached = undefined
+    this.#own = isSet(circles) ? requestOfText(circlesOfValue(circles)) : undefined
     if (this.#figure !== undefined) this.#reload()
-  }
-
-  #setView(view: LinkView | undefined): void {
-    this.#view = view
-    this.#figure?.actions.look(this.view)
-  }
-
-  #setLayers(layers: Layers | undefined): void {
-    const attribute = () => this.#read('layers', parseLayers) ?? DEFAULT_LAYERS
-    this.#figure?.view.setLayers(layers ?? attribute())
-    this.#layers = layers
-  }
-
-  get #controls(): ReturnType<typeof parseControls> {
-    return this.#read('controls', parseControls) ?? parseControls(null)
   }
 
   #tellForm(): void {
@@ -1134,10 +935,10 @@ export class CircleVoronoiElement extends Base {
   /** Updates the form's value and validity. */
   async #tellFormNow(): Promise<void> {
     const figure = this.#figure
-    const check = this.#check
+    const check = this.#value('check')
     const facts = check && (await figure?.view.ask('tell', idsOf(check)))
     // The figure or the check may have been replaced in the meantime.
-    if (figure !== this.#figure || check !== this.#check) return
+    if (figure !== this.#figure || check !== this.#value('check')) return
     const isMet = check && facts !== undefined && holds(check, facts)
     this.#goals = check === undefined || facts === undefined ? [] : goalsOf(check, facts)
     const isOther = isMet !== this.#isMet
@@ -1160,7 +961,7 @@ export class CircleVoronoiElement extends Base {
   /** Shows the goals. Returns whether their text has changed. */
   #showGoals(): boolean {
     const { goals: words } = this.#words
-    const check = this.#check
+    const check = this.#value('check')
     const figure = this.#figure
     if (check !== undefined && figure !== undefined) this.#rings ??= new Rings(this.#shell.frame, figure.view)
     this.#rings?.show(check === undefined ? [] : goalRings(check, this.#goals, this.#isMet === true, words))
@@ -1260,17 +1061,6 @@ export class CircleVoronoiElement extends Base {
     this.#shell.problem = [...wrong, problem].filter((text) => text !== '').join(' ')
   }
 
-  /** Parses an attribute. Errors have been reported when it was set, so they give `undefined`. */
-  #read<Value>(name: string, parse: (text: string) => Value): Value | undefined {
-    const text = this.getAttribute(name)
-    if (text === null) return undefined
-    try {
-      return parse(text)
-    } catch {
-      return undefined
-    }
-  }
-
   #tell<Name extends keyof CircleVoronoiEventMap>(
     name: Name,
     detail: CircleVoronoiEventMap[Name] extends CustomEvent<infer Detail> ? Detail : never,
@@ -1278,32 +1068,13 @@ export class CircleVoronoiElement extends Base {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }))
   }
 
-  #reflect(name: string, value: string | number | undefined | null): void {
-    if (isSet(value)) this.setAttribute(name, String(value))
-    else this.removeAttribute(name)
-  }
-
   /** Moves a property that was set before the class was defined. */
-  #upgrade(name: (typeof PROPERTIES)[number]): void {
+  #upgrade(name: (typeof NAMES)[number]): void {
     if (!Object.hasOwn(this, name)) return
     const value = this[name]
     delete (this as Partial<Record<typeof name, unknown>>)[name]
     Object.assign(this, { [name]: value })
   }
-}
-
-/** The parsers of attributes. */
-const PARSERS = {
-  areas: parseAreas,
-  check: parseCheck,
-  controls: parseControls,
-  lattice: parseLattice,
-  layers: parseLayers,
-  method: parseMethod,
-  region: (text: string) => isRegionText(text) && readRegion(text),
-  samples: parseSamples,
-  step: parseStep,
-  view: parseView,
 }
 
 /** Whether a property is set. Frameworks unset a property with `undefined` or `null`. */
@@ -1323,26 +1094,80 @@ function listOf(circles: Float64s): number[][] {
   return Array.from({ length: circles.length / 3 }, (_, i) => [...circles.subarray(3 * i, 3 * i + 3)])
 }
 
-const PROPERTIES = [
-  'value',
-  'circles',
-  'src',
-  'view',
-  'layers',
-  'region',
-  'dissolve',
-  'lattice',
-  'areas',
-  'method',
-  'samples',
-  'step',
-  'controls',
-  'readonly',
-  'alt',
-  'check',
-  'name',
-  'selection',
-] as const
+/** The properties that the class defines from the table. */
+export interface CircleVoronoiElement {
+  /** The name of the figure for screen readers. */
+  get alt(): string
+  set alt(alt: CircleVoronoiProps['alt'])
+  /**
+   * The areas of the cells inside the region: `equal`, or a list of numbers above 0 in the order of the circles, which
+   * are scaled to the area of the region. In the attribute, numbers are separated by spaces. The figure chooses the
+   * radii of the circles as weights that give each cell its area, and shows the circles as points. The cells keep their
+   * areas while points are moved; an added circle gets the mean of the others. `undefined` if circles keep their radii.
+   */
+  get areas(): Areas | undefined
+  set areas(areas: CircleVoronoiProps['areas'])
+  /** The condition that the circles must meet before the form can be submitted, for example `{ cell: 3, edges: 3 }`. */
+  get check(): Check | undefined
+  set check(check: CircleVoronoiProps['check'])
+  /**
+   * The controls: `player` is the player below the figure, `buttons player` adds buttons, and any other text shows
+   * buttons. `null` for no controls.
+   */
+  get controls(): string | null
+  set controls(controls: CircleVoronoiProps['controls'])
+  /** Whether polygons of the region that share borders or overlap, as administrative areas do, are merged. */
+  get dissolve(): boolean
+  set dissolve(isDissolved: CircleVoronoiProps['dissolve'])
+  /** The language of the element: German (`de`) or English (anything else). Default: the language of the page. */
+  get lang(): string
+  set lang(lang: string | undefined | null)
+  /**
+   * The two periods with which the circles repeat: the sides of a box whose opposite sides are glued together, as `{ a:
+   * [ax, ay], b: [bx, by] }`. The attribute has the four numbers, separated by spaces. The figure shows the box with a
+   * corner at the origin, and dimmed images around it. A circle that is dragged out of the box comes in on the other
+   * side. A lattice takes no region. Periods that are parallel cause an `error` event. `undefined` if circles do not
+   * repeat.
+   */
+  get lattice(): Lattice | undefined
+  set lattice(lattice: CircleVoronoiProps['lattice'])
+  /**
+   * The layers that the figure draws. The attribute has words, such as `hull`, `no-edges`, `cells=degree` and
+   * `max-distance=2`, or an object in JSON. Layers that you do not name have their defaults. `undefined` restores the
+   * layers of the attribute.
+   */
+  get layers(): Layers
+  set layers(layers: CircleVoronoiProps['layers'])
+  /** The method of `compute()` (default: `auto`) and of the player (default: `touching-disc`). */
+  get method(): Method
+  set method(method: CircleVoronoiProps['method'])
+  /** The name of the field in a form. Its value is JSON: `{ "circles": [[x, y, r], ...], "check": true }`. */
+  get name(): string
+  set name(name: CircleVoronoiProps['name'])
+  /** Whether readers cannot edit the circles. */
+  get readonly(): boolean
+  set readonly(isReadonly: CircleVoronoiProps['readonly'])
+  /**
+   * The region to which cells are clipped: polygons with holes. Set GeoJSON (`Polygon`, `MultiPolygon`, `Feature`,
+   * `FeatureCollection`), a list of rings of points, or text like the attribute: GeoJSON, rings in JSON, well-known
+   * text (`POLYGON ((0 0, 9 0, 9 9, 0 9))`) or the address of such a file. `undefined` if there is none. Areas of cells
+   * are measured inside the region. A region whose rings cross causes an `error` event, unless `dissolve` is set.
+   */
+  get region(): RegionShape | undefined
+  set region(region: CircleVoronoiProps['region'])
+  /** The number of samples of the touching disc method, as in the options of the library. */
+  get samples(): number | undefined
+  set samples(samples: CircleVoronoiProps['samples'])
+  /** The address of a file of circles (CSV, JSON or GeoJSON), or a link to the playground. */
+  get src(): string
+  set src(src: CircleVoronoiProps['src'])
+  /**
+   * The visible part of the plane: `x` and `y` of its center, and `span`, the number of units that are visible at least
+   * in both directions. The attribute has these three numbers. `undefined` shows all circles.
+   */
+  get view(): LinkView | undefined
+  set view(view: CircleVoronoiProps['view'])
+}
 
 declare global {
   interface HTMLElementTagNameMap {

@@ -1,41 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { attributesOfLink, NO_ATTRIBUTES } from '../editing/attributes.ts'
-import type { OpenRequest } from '../editing/opening-actions.ts'
-import type { Float64s } from '../lib/index.ts'
+import { NO_ATTRIBUTES } from '../editing/attributes.ts'
+import { type OpenRequest, requestOf } from '../editing/open-request.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { TextCircles } from '../view/circle-text.ts'
 import type { Refusal } from '../view/refusal.ts'
-import { isRegionText, readRegion } from '../view/region-text.ts'
+import { readRegion } from '../view/region-text.ts'
 import { circlesOfMarkdown, circlesOfTable, readCircles } from './read-circles.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
-/** Converts circles to a request to open them. */
-export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): OpenRequest {
-  const { region, lattice, areas, attributes: _, names: __, ...others } = rest
-  const attributes = attributesOfLink(rest, circles.length / 3)
-  const hasDomain = region !== undefined || lattice !== undefined || areas !== undefined
-  const domain = hasDomain ? { region: region ?? undefined, lattice: lattice ?? undefined, areas } : undefined
-  return { circles, dataSet: '', isEdited: false, ...others, ...(attributes && { attributes }), domain }
-}
-
-/** Converts circles from a text to a request to open them. */
-export function openedText({ circles, columns }: TextCircles): OpenRequest {
-  const request = opened(circles)
+/** Returns the request that opens circles from a text. */
+export function requestOfText({ circles, columns }: TextCircles): OpenRequest {
+  const request = requestOf({ circles })
   return columns.length === 0 ? request : { ...request, attributes: { ...NO_ATTRIBUTES, columns } }
 }
 
 /**
- * Converts a state.
+ * Returns the request that opens a state.
  * @throws Refusal if it names a data set of the page instead of circles
  */
-export function openedState({ circles, dataSet, ...rest }: LinkState): OpenRequest {
-  if (circles === undefined && dataSet !== undefined) {
-    refuse((words) => words.dataSet(dataSet))
-  }
-  return opened(circles ?? new Float64Array(), rest)
+export function requestOfState(state: LinkState): OpenRequest {
+  const { circles, dataSet } = state
+  if (circles === undefined && dataSet !== undefined) refuse((words) => words.dataSet(dataSet))
+  return requestOf(state)
 }
 
 /** Decodes a link. The decoder is loaded on demand. @throws CircleVoronoiError `badInput`, `notLoaded` */
@@ -44,24 +33,18 @@ export async function linkState(link: string): Promise<LinkState> {
   return decodeLink(link)
 }
 
-async function openedLink(link: string): Promise<OpenRequest> {
-  return openedState(await linkState(link))
-}
-
 /**
- * Loads an address: a file, or a link to the playground.
+ * Loads the circles at an address: a file, or a link to the playground.
  * @throws CircleVoronoiError, or the error of `fetch`
  */
-export async function openedFrom(src: string, signal: AbortSignal): Promise<OpenRequest> {
+export async function requestAt(src: string, signal: AbortSignal): Promise<OpenRequest> {
   const link = LINK.exec(src)?.[1]
-  if (link !== undefined) return openedLink(link)
-  const response = await fetch(src, { signal })
-  if (!response.ok) refuse((words) => words.notLoaded(src, response.status))
-  const text = await response.text()
+  if (link !== undefined) return requestOfState(await linkState(link))
+  const text = await textAt(src, signal)
   const linkWithin = LINK.exec(text.trim())?.[1]
-  if (linkWithin !== undefined) return openedLink(linkWithin)
+  if (linkWithin !== undefined) return requestOfState(await linkState(linkWithin))
   try {
-    return openedText(readCircles(text))
+    return requestOfText(readCircles(text))
   } catch (error) {
     const { message } = error as Error
     refuse((words) =>
@@ -71,15 +54,18 @@ export async function openedFrom(src: string, signal: AbortSignal): Promise<Open
 }
 
 /**
- * Reads a region from text, or from the file at an address.
+ * Loads the region in the file at an address.
  * @throws CircleVoronoiError, or the error of `fetch`
  */
-export async function regionFrom(text: string, base: string, signal: AbortSignal): Promise<RegionShape> {
-  if (isRegionText(text)) return readRegion(text)
-  const src = new URL(text, base).href
+export async function regionAt(src: string, signal: AbortSignal): Promise<RegionShape> {
+  return readRegion(await textAt(src, signal))
+}
+
+/** @throws Refusal, or the error of `fetch` */
+async function textAt(src: string, signal: AbortSignal): Promise<string> {
   const response = await fetch(src, { signal })
   if (!response.ok) refuse((words) => words.notLoaded(src, response.status))
-  return readRegion(await response.text())
+  return response.text()
 }
 
 /** Returns the circles between an element's tags, if any. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { attributesOfLink } from '../editing/attributes.ts'
 import { Editing } from '../editing/editing.ts'
 import { namesOf, ownColorsOf } from '../editing/identity.ts'
+import { requestOf } from '../editing/open-request.ts'
 import { cameraLooking } from '../editing/scene-link.ts'
 import { INITIAL_STATE } from '../editing/state.ts'
 import { checkOptionNames, isRecord, refuseInput, refuseOption, shown } from '../lib/base/check.ts'
@@ -70,8 +70,8 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   if (scheme !== 'light' && scheme !== 'dark')
     refuseOption(`The option scheme is "light" or "dark", not ${shown(scheme)}.`)
   const said = await checked(state)
-  const { circles, edits, view, layers: given, step, method, region, lattice, areas, colors } = said
-  const attributes = attributesOfLink(said, circles.length / 3)
+  const { edits, view, layers: given, step, method, ...request } = requestOf(said)
+  const { circles, domain = NO_DOMAIN } = request
 
   const computer = new SceneBackend(await circleVoronoiOf(await compileCircleVoronoi(options)))
   const { scene } = computer
@@ -85,12 +85,10 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
         problem ??= error
       },
     )
-    const hasDomain = (region ?? lattice ?? areas ?? undefined) !== undefined
-    const domain = hasDomain ? { region: region ?? undefined, lattice: lattice ?? undefined, areas } : undefined
-    await editing.open({ circles, dataSet: '', isEdited: false, domain, attributes, colors }, edits)
+    await editing.open(request, edits)
     if (problem !== undefined) throw problem
     const size = { width, height }
-    const box = boxOf(boundingBox(circles), domain ?? NO_DOMAIN)
+    const box = boxOf(boundingBox(circles), domain)
     const frame = { ...cameraLooking(view, box, size, ROOM), ...size }
     const style = themeStyle(scheme)
     const played = step === undefined ? undefined : playedAt(scene, step, method, scheme)
@@ -98,7 +96,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     scene.setLayers({ ...layers, ownColors: ownColorsOf(editing, isCssColor) })
     if (scene.isMethodMissing) scene.addMethod()
     if (scene.isPowerMissing) scene.addPower(await loadMetrics({ library: scene.library }))
-    const drawn = { lattice: lattice ?? undefined, areSites: areas !== undefined }
+    const drawn = { lattice: domain.lattice, areSites: domain.areas !== undefined }
     const names = { list: namesOf(editing), circles: editing.circles, domain: drawn }
     const above = played ?? []
     return svgPicture(frame, scene.svg(frame, style, titlesOf(names, above)), style, layers, names, above)
