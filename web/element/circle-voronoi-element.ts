@@ -190,7 +190,6 @@ export class CircleVoronoiElement extends Base {
   #rings: Rings | undefined
   #isDisabled = false
   #isShown = true
-  #selection: readonly number[] = []
   /** A selection that waits for its circles. */
   #nextSelection: readonly number[] | undefined
   #stopWatching: (() => void) | undefined
@@ -270,12 +269,12 @@ export class CircleVoronoiElement extends Base {
   }
 
   /** Applies an attribute. A wrong value is an `error` event and changes nothing. */
-  attributeChangedCallback(name: PropertyName, _before: string | null, text: string | null): void {
+  attributeChangedCallback(name: string, _before: string | null, text: string | null): void {
     this.#try(name, () => {
-      const parsed = text === null ? undefined : PROPERTIES[name].parse(text)
+      const parsed = text === null ? undefined : PROPERTIES[name as PropertyName].parse(text)
       Object.assign(this.#parsed, { [name]: parsed })
-      this.#assigned[name] = undefined
-      this.#follow(name)
+      Object.assign(this.#assigned, { [name]: undefined })
+      this.#follow(name as PropertyName)
     })
   }
 
@@ -299,7 +298,7 @@ export class CircleVoronoiElement extends Base {
     const { copied }: Property = PROPERTIES[name]
     if (copied !== undefined && typeof value !== 'string') {
       this.#try(name, () => {
-        Object.assign(this.#assigned, { [name]: value && copied(value as never) })
+        Object.assign(this.#assigned, { [name]: value === undefined ? undefined : copied(value as never) })
         this.#follow(name)
       })
       return
@@ -479,7 +478,7 @@ export class CircleVoronoiElement extends Base {
 
   /** The ids of the selected circles. A selection that you set before the circles are visible is applied when they are. */
   get selection(): readonly number[] {
-    return (this.#nextSelection ?? this.#selection).slice()
+    return (this.#nextSelection ?? this.#figure?.store.get().selection ?? []).slice()
   }
 
   set selection(selection: CircleVoronoiProps['selection']) {
@@ -606,30 +605,6 @@ export class CircleVoronoiElement extends Base {
     return toPNG(await this.#shownView(), scale)
   }
 
-  override addEventListener<Name extends keyof CircleVoronoiEventMap>(
-    name: Name,
-    listener: (this: CircleVoronoiElement, event: CircleVoronoiEventMap[Name]) => void,
-    options?: boolean | AddEventListenerOptions,
-  ): void
-  override addEventListener<Name extends keyof HTMLElementEventMap>(
-    name: Name,
-    listener: (this: CircleVoronoiElement, event: HTMLElementEventMap[Name]) => void,
-    options?: boolean | AddEventListenerOptions,
-  ): void
-  override addEventListener(
-    name: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void
-  /** Adds a listener, with the types of the events of this element. */
-  override addEventListener(
-    name: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void {
-    super.addEventListener(name, listener, options)
-  }
-
   get #isReadonly(): boolean {
     return this.#value('readonly') || this.#isDisabled
   }
@@ -696,10 +671,8 @@ export class CircleVoronoiElement extends Base {
     let before: readonly number[] = []
     store.subscribe(({ selection }) => {
       this.#showProblems()
-      if (selection === before) return
+      const isSame = selection === before || selection.length + before.length === 0
       before = selection
-      const isSame = selection.length === 0 && this.#selection.length === 0
-      this.#selection = selection.slice()
       if (!isSame) this.#tell('selectionchange', { selection: selection.slice() })
     })
     view.setLayers(this.#value('layers'))
@@ -1167,6 +1140,22 @@ export interface CircleVoronoiElement {
    */
   get view(): LinkView | undefined
   set view(view: CircleVoronoiProps['view'])
+  /** Adds a listener, with the types of the events of this element. */
+  addEventListener<Name extends keyof CircleVoronoiEventMap>(
+    name: Name,
+    listener: (this: CircleVoronoiElement, event: CircleVoronoiEventMap[Name]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void
+  addEventListener<Name extends keyof HTMLElementEventMap>(
+    name: Name,
+    listener: (this: CircleVoronoiElement, event: HTMLElementEventMap[Name]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void
+  addEventListener(
+    name: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void
 }
 
 declare global {
