@@ -14,7 +14,7 @@ import {
 import { FilesClient } from '../../web/app/files/files-client.ts'
 import type { Recipe } from '../../web/app/generators/generators.ts'
 import { LinkWriter } from '../../web/app/link-writer.ts'
-import { prefixOf, SceneStorage } from '../../web/app/scene-storage.ts'
+import { SceneStorage } from '../../web/app/scene-storage.ts'
 import { StatePersistence } from '../../web/app/state-persistence.ts'
 import { circlesOfLink } from '../../web/editing/scene-link.ts'
 import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
@@ -147,6 +147,13 @@ class Room extends Map<string, string> implements Storage {
   }
 }
 
+interface Opening {
+  readonly hash?: string
+  readonly ofTab?: Room
+  readonly isReload?: boolean
+  readonly path?: string
+}
+
 /** The tabs of a browser. */
 class Browser {
   readonly all: Room
@@ -157,7 +164,7 @@ class Browser {
     this.all = new Room(letters)
   }
 
-  async open(goesOn = true, ofTab = new Room(), isReload = false, path = '/') {
+  async open({ hash = '', ofTab = new Room(), isReload = false, path = '/' }: Opening = {}) {
     const tab = {}
     const locks = {
       request: async (name: string, { ifAvailable = false }: LockOptions, hold: (lock: object | null) => unknown) => {
@@ -171,114 +178,130 @@ class Browser {
         await hold(isFree ? {} : null)
       },
       query: async () => ({ held: [...this.#held.keys()].map((name) => ({ name })) }),
-    } as unknown as LockManager
-    const storage = await SceneStorage.claim({ all: this.all, ofTab, path, locks, isReload }, goesOn)
+    }
+    const [storage, shown] = await opened({ all: this.all, ofTab, path, locks }, isReload, hash)
     const close = () => {
       for (const [name, holder] of this.#held) if (holder === tab) this.#held.delete(name)
       this.#onclose()
     }
-    return { storage, ofTab, close }
+    return { shown, ofTab, path, close, write: (link: string) => storage.write({ link, hashes: [] }) }
+  }
+
+  /** Reloads a tab, and returns what it shows. */
+  async reload({ ofTab, path, close }: { ofTab: Room; path: string; close(): void }) {
+    // A reloaded tab waits until its former page has closed.
+    const reloaded = this.open({ ofTab, path, isReload: true })
+    close()
+    return (await reloaded).shown
   }
 }
 
+/** Claims the storage of a tab. */
+function opened(
+  { all, ofTab, path = '/', locks }: { all: Room; ofTab: Room; path?: string; locks: object | undefined },
+  isReload: boolean,
+  hash: string,
+) {
+  vi.stubGlobal('localStorage', all)
+  vi.stubGlobal('sessionStorage', ofTab)
+  vi.stubGlobal('location', { pathname: path })
+  vi.stubGlobal('navigator', { locks })
+  return SceneStorage.claim(isReload, hash)
+}
+
 describe('the storage of scenes', () => {
+  afterEach(() => vi.unstubAllGlobals())
+
   it('has a place for each tab', async () => {
     const browser = new Browser()
     const [first, second] = [await browser.open(), await browser.open()]
-    await first.storage.write('v1.a')
-    await second.storage.write('v1.b')
-    expect([first.storage.read(), second.storage.read()]).toEqual(['v1.a', 'v1.b'])
+    await first.write('v1.a')
+    await second.write('v1.b')
     const closed = await browser.open()
-    await closed.storage.write('v1.closed')
+    await closed.write('v1.closed')
     closed.close()
-    // A reloaded tab waits until its former page has closed.
-    const reloaded = browser.open(true, first.ofTab, true)
-    first.close()
-    expect((await reloaded).storage.read()).toBe('v1.a')
+    expect(await browser.reload(first)).toBe('v1.a')
     // Duplicates a tab.
     const copy = new Room()
-    copy.setItem(prefixOf('/'), second.ofTab.getItem(prefixOf('/')) as string)
-    const third = await browser.open(true, copy)
-    expect(third.storage.read()).toBe('v1.b')
-    await third.storage.write('v1.c')
-    expect([second.storage.read(), third.storage.read()]).toEqual(['v1.b', 'v1.c'])
-    expect((await browser.open()).storage.read()).toBe('v1.closed')
+    for (const [key, value] of second.ofTab) copy.setItem(key, value)
+    const third = await browser.open({ ofTab: copy })
+    expect(third.shown).toBe('v1.b')
+    await third.write('v1.c')
+    expect([await browser.reload(second), await browser.reload(third)]).toEqual(['v1.b', 'v1.c'])
+    expect((await browser.open()).shown).toBe('v1.closed')
   })
 
   it('has a new place where the lock of the former one cannot be had', async () => {
-    const ofTab = new Room()
-    ofTab.setItem(prefixOf('/'), 'own')
-    const all = new Room()
-    all.setItem(`${prefixOf('/')}own`, '1 v1.a')
-    const request = () => Promise.reject(new DOMException('waited too long', 'AbortError'))
-    const locks = { request, query: async () => ({ held: [] }) } as unknown as LockManager
-    const storage = await SceneStorage.claim({ all, ofTab, path: '/', locks, isReload: true }, true)
-    expect([storage.read(), ofTab.getItem(prefixOf('/')) === 'own']).toEqual(['v1.a', false])
+    const [all, ofTab] = [new Room(), new Room()]
+    const [storage] = await opened({ all, ofTab, locks: undefined }, false, '')
+    storage.put({ link: 'v1.a', hashes: [] })
+    const own = [...ofTab.values()]
+    const locks = { request: () => Promise.reject(new DOMException('waited too long', 'AbortError')) }
+    const [, shown] = await opened({ all, ofTab, locks }, true, '')
+    expect(shown).toBe('v1.a')
+    expect([...ofTab.values()]).not.toEqual(own)
   })
 
   it('makes room by what closed tabs have left, the oldest first, and never by that of open ones', async () => {
     const browser = new Browser(400)
     const open = await browser.open()
-    await open.storage.write('v1.open')
+    await open.write('v1.open')
     for (const [time, link] of ['v1.older', 'v1.newer'].entries()) {
       vi.spyOn(Date, 'now').mockReturnValue(time)
-      const tab = await browser.open(false)
-      await tab.storage.write(link)
+      const tab = await browser.open({ hash: '#v1.link' })
+      await tab.write(link)
       tab.close()
     }
     vi.restoreAllMocks()
-    const large = await browser.open(false)
-    await large.storage.write('x'.repeat(150))
-    expect(large.storage.read()).toBe('x'.repeat(150))
-    expect(open.storage.read()).toBe('v1.open')
-    expect((await browser.open()).storage.read()).toBe('v1.newer')
+    const large = await browser.open({ hash: '#v1.link' })
+    await large.write('x'.repeat(150))
+    expect((await browser.open()).shown).toBe('v1.newer')
     // A link that is too large is dropped without other effects.
-    await large.storage.write('y'.repeat(500))
-    expect(large.storage.read()).toBe('x'.repeat(150))
-    expect(open.storage.read()).toBe('v1.open')
+    await large.write('y'.repeat(500))
+    expect([await browser.reload(large), await browser.reload(open)]).toEqual(['x'.repeat(150), 'v1.open'])
   })
 
   it('keeps ten of closed tabs', async () => {
     const browser = new Browser()
     for (let k = 0; k < 14; k++) {
-      const tab = await browser.open(false)
-      await tab.storage.write(`v1.${k}`)
+      const tab = await browser.open({ hash: '#v1.link' })
+      await tab.write(`v1.${k}`)
       tab.close()
     }
-    await (await browser.open(false)).storage.write('v1.last')
+    await (await browser.open({ hash: '#v1.link' })).write('v1.last')
     expect(browser.all.length).toBe(11)
   })
 
   it('leaves what a site in another folder of the origin keeps, above or below, and in the same tab', async () => {
     const browser = new Browser(800)
-    const tab = new Room()
+    const ofTab = new Room()
     const paths = ['/', '/voronoi/', '/voronoi/next/', '/voronoi%20old/']
     for (const [k, path] of paths.entries()) {
-      const site = await browser.open(true, tab, false, path)
-      expect([path, site.storage.read()]).toEqual([path, undefined])
-      await site.storage.write(`v1.${k}`)
+      const site = await browser.open({ ofTab, path })
+      expect([path, site.shown]).toEqual([path, undefined])
+      await site.write(`v1.${k}`)
       site.close()
     }
     // The page has several addresses in its folder.
     for (const [k, path] of paths.entries()) {
-      const again = await browser.open(true, new Room(), false, `${path}index.html`)
-      expect([path, again.storage.read()]).toEqual([path, `v1.${k}`])
+      const again = await browser.open({ path: `${path}index.html` })
+      expect([path, again.shown]).toEqual([path, `v1.${k}`])
       // A large link does not displace the links of open tabs.
-      await again.storage.write('x'.repeat(300))
+      await again.write('x'.repeat(300))
       again.close()
     }
-    const kept = await Promise.all(
-      paths.map(async (path) => (await browser.open(true, new Room(), false, path)).storage.read()),
-    )
+    const kept = await Promise.all(paths.map(async (path) => (await browser.open({ path })).shown))
     expect(kept.map((link) => link?.length)).toEqual([300, 4, 4, 4])
   })
 
   it('keeps the one of a tab where there are no locks', async () => {
     const [all, ofTab] = [new Room(), new Room()]
-    const surroundings = { all, ofTab, path: '/', locks: undefined, isReload: false }
-    await (await SceneStorage.claim(surroundings, true)).write('v1.a')
-    expect((await SceneStorage.claim(surroundings, true)).read()).toBe('v1.a')
-    expect((await SceneStorage.claim({ ...surroundings, ofTab: new Room() }, true)).read()).toBeUndefined()
+    const shown = async (tab: Room) => {
+      const [storage, link] = await opened({ all, ofTab: tab, locks: undefined }, false, '')
+      await storage.write({ link: 'v1.a', hashes: [] })
+      return link
+    }
+    expect([await shown(ofTab), await shown(ofTab), await shown(new Room())]).toEqual([undefined, 'v1.a', undefined])
   })
 })
 
@@ -325,7 +348,9 @@ describe('what a page leaves late', () => {
     const { leave, dataSet } = await begun('navigate', await hash())
     expect(dataSet).toBe('introduction')
     leave({ dataSet: 'spruces' })
-    expect((await begun(type, await hash())).dataSet).toBe('spruces')
+    for (let k = 0; k < 2; k++) expect((await begun(type, await hash())).dataSet).toBe('spruces')
+    // The link is opened once more.
+    expect((await begun('navigate', await hash())).dataSet).toBe('introduction')
     expect((await begun(type, await hash())).dataSet).toBe('introduction')
   })
 

@@ -2,17 +2,12 @@
 import { CircleVoronoiError } from '../lib/index.ts'
 import { encodeLinkAtOnce, type LinkInput } from '../lib/link.ts'
 import type { LinkWriter } from './link-writer.ts'
-import { prefixOf, SceneStorage } from './scene-storage.ts'
+import { type SavedScene, SceneStorage } from './scene-storage.ts'
 
 /** Debounce delay in milliseconds. */
 const REST = 400
 /** Longer links are saved to the storage only, because addresses must stay short enough to copy. */
 const LONGEST_ADDRESS = 100_000
-/**
- * The session storage entry with the newest link and the addresses at which a reload restores it. A closing page cannot
- * change its address any more, and a reload may have started before the address changed.
- */
-const lateKey = () => `${prefixOf(location.pathname)}late`
 
 /** Saves the state as a link in the address and in the browser's storage. */
 export class StatePersistence {
@@ -44,19 +39,16 @@ export class StatePersistence {
   async begin(): Promise<string | undefined> {
     this.#hash = location.hash
     this.#hashBefore = this.#hash
-    const link = this.#hash.slice(1)
-    let late: string | undefined
     try {
       const [navigation] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[]
       const isReload = navigation?.type !== 'navigate'
-      late = takenLate(this.#hash, isReload)
-      const { pathname: path } = location
-      const surroundings = { all: localStorage, ofTab: sessionStorage, path, locks: navigator.locks, isReload }
-      this.#storage = await SceneStorage.claim(surroundings, link === '')
+      const [storage, saved] = await SceneStorage.claim(isReload, this.#hash)
+      this.#storage = storage
+      if (saved !== undefined) return saved
     } catch {
       // Storage may be forbidden.
     }
-    return late ?? (link !== '' ? link : this.#storage?.read())
+    return this.#hash === '' ? undefined : this.#hash.slice(1)
   }
 
   /** Call after each change. */
@@ -96,8 +88,7 @@ export class StatePersistence {
     history.replaceState(null, '', isShort ? `#${link}` : location.pathname + location.search)
     this.#hashBefore = this.#hash
     this.#hash = location.hash
-    keepLate(link !== undefined && this.#hash !== this.#hashBefore ? this.#lateText(link) : '')
-    if (link !== undefined) await this.#storage?.write(link)
+    if (link !== undefined) await this.#storage?.write(this.#sceneOf(link))
     this.#isKept = this.#timer === undefined
   }
 
@@ -106,17 +97,18 @@ export class StatePersistence {
     const state = this.#read()
     if (state === undefined || this.isAddressNew) return
     try {
-      const link = encodeLinkAtOnce(state)
-      this.#storage?.put(link)
-      keepLate(this.#lateText(link))
+      this.#storage?.put(this.#sceneOf(encodeLinkAtOnce(state)))
     } catch (error) {
       if (!(error instanceof CircleVoronoiError)) throw error
     }
   }
 
-  /** The text of the entry: the link, and the addresses at which a reload restores it. */
-  #lateText(link: string): string {
-    return `${link} ${this.#hash} ${this.#hashBefore}`
+  /**
+   * A scene that a reload restores. A closing page cannot change its address any more, and a reload may have started
+   * before the address changed.
+   */
+  #sceneOf(link: string): SavedScene {
+    return { link, hashes: [this.#hash, this.#hashBefore] }
   }
 
   /** `undefined` if the state is too large for a link. */
@@ -127,23 +119,5 @@ export class StatePersistence {
       if (error instanceof CircleVoronoiError) return undefined
       throw error
     }
-  }
-}
-
-/**
- * Returns and removes the link that the page left at an address, if the page returns by reload, Back or Forward.
- * Opening the address as a link discards the entry.
- */
-function takenLate(hash: string, isThereAgain: boolean): string | undefined {
-  const [link, ...hashes] = (sessionStorage.getItem(lateKey()) ?? '').split(' ')
-  sessionStorage.removeItem(lateKey())
-  return isThereAgain && hashes.includes(hash) ? link : undefined
-}
-
-function keepLate(text: string): void {
-  try {
-    sessionStorage.setItem(lateKey(), text)
-  } catch {
-    // The storage is full or forbidden.
   }
 }
