@@ -46,7 +46,7 @@ test('conditions become the question of a frame, which is solved by moving a cir
   expect(await violationsInBoth(page)).toEqual([])
   const code = await app.copiedBy(page.getByRole('button', { name: 'Copy question code' }))
   await expect(page.locator('#toast')).toContainText('The code of the question is in the clipboard.')
-  expect(code).toMatch(/^<iframe src="[^"]+\/embed\.html#v1\.[\w-]+" title="Three &#34;edges&#34;" loading="lazy"/)
+  expect(code).toMatch(/^<iframe src="[^"]+\/embed\.html#v1\.[\w-]+" title="Three &quot;edges&quot;" loading="lazy"/)
   const address = /src="([^"]+)"/.exec(code)?.[1] as string
   expect(await decodeLink(new URL(address).hash)).toEqual({
     circles: CIRCLES,
