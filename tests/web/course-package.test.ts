@@ -17,7 +17,7 @@ afterEach(() => vi.unstubAllGlobals())
 
 const COURSE = { link: 'v1.abc', title: 'A "title" <&>', lang: 'de' }
 const ELEMENT = 'https://a.example/b/element.js'
-const ESCAPED = 'A &#34;title&#34; &#60;&#38;&#62;'
+const ESCAPED = 'A &quot;title&quot; &#60;&#38;&#62;'
 
 it('has the page, its scripts and a manifest that names them', async () => {
   const files = unzipSync(await coursePackage(COURSE, ELEMENT))

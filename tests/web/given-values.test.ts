@@ -103,7 +103,7 @@ it('no color and no text is markup in a drawing', () => {
   const text = String(drawing)
   expect(text).not.toMatch(/<script|<a |<b>/)
   expect(text.match(/</g)).toHaveLength(5)
-  expect(text).toContain('&#34;/&#62;&#60;script&#62;')
+  expect(text).toContain('&quot;/&#62;&#60;script&#62;')
 })
 
 it('a region with much white space at its end is read at once', () => {
