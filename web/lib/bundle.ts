@@ -8,6 +8,7 @@ import './generated/circle-voronoi.js'
 import './generated/circle-voronoi-metrics.js'
 import './generated/circle-voronoi-regions.js'
 import './generated/circle-voronoi-sphere.js'
+import { nodeModule } from './base/node.ts'
 import { THREAD_NAME } from './threads/thread-file.ts'
 import { answerWorker } from './threads/worker-answers.ts'
 
@@ -19,6 +20,6 @@ export * from './sphere.ts'
 export * from './worker.ts'
 
 // The workers run the same file.
-const nodeThread = globalThis.process?.getBuiltinModule?.('node:worker_threads')
+const nodeThread = nodeModule('node:worker_threads')
 const name: unknown = nodeThread === undefined ? Object(globalThis).name : nodeThread.workerData
 if (name === THREAD_NAME) answerWorker()

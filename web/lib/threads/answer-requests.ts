@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { postedError } from '../base/errors.ts'
+import { nodeModule } from '../base/node.ts'
 import type { FromThread, Functions, ProgressOf, ToThread } from './channel.ts'
 
 /** The circumstances of a request. */
@@ -40,7 +41,7 @@ export function transferring<Answer extends object>(answer: Answer, transfer: re
 export function answerRequests<Requests extends Functions<Requests>, Events extends object = object>(
   answers: Answers<Requests>,
 ): <Name extends keyof Events>(event: Name, data: Events[Name], transfer?: readonly Transferable[]) => void {
-  const nodePort = globalThis.process?.getBuiltinModule?.('node:worker_threads').parentPort
+  const nodePort = nodeModule('node:worker_threads')?.parentPort
   const port = (nodePort ?? globalThis) as unknown as Port
   const running = new Map<number, AbortController>()
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError, type ErrorCode, reasonOf } from '../base/errors.ts'
+import { nodeModule } from '../base/node.ts'
 
 /**
  * `WebAssembly.Module`, if the DOM types are available (the types of Node lack it).
@@ -98,8 +99,8 @@ export function unwrap<Value extends object>(result: Value | WasmError): Value {
 
 async function compileFrom(url: URL): Promise<CompiledWasm> {
   if (url.protocol === 'file:') {
-    // Node's fetch does not read files. An import would make bundlers look for node:fs in a page.
-    const files = globalThis.process?.getBuiltinModule?.('node:fs/promises')
+    // Node's fetch does not read files.
+    const files = nodeModule('node:fs/promises')
     if (files !== undefined) return WebAssembly.compile(await files.readFile(url))
   }
   return compileResponse(await fetch(url))
