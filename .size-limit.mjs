@@ -54,9 +54,10 @@ export default [
   },
   {
     name: 'The element in one file',
-    // This includes 507 kB for regions, fitted areas, treemaps and power diagrams: the file may be copied alone.
-    limit: '843.5 kB',
-    path: 'dist/element/bundle.js',
+    // This includes 507 kB for regions, fitted areas, treemaps and power diagrams: the file may be copied alone. 30 kB are for
+    // scripts that both the page and its thread have.
+    limit: '871 kB',
+    path: 'dist/element/classic.js',
     gzip: true,
   },
   {

@@ -2,12 +2,14 @@
 // Finishes dist/lib, dist/element and dist/cli after the TypeScript compiler: copies the output of C++, and makes the
 // bundles. Vite is not used, because it would inline the threads and the WebAssembly, which other bundlers have to find
 // as files.
-import { chmodSync, copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { dirname, join, posix } from 'node:path'
+import { chmodSync, copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { dirname, join, posix, relative } from 'node:path'
 import { promisify } from 'node:util'
 import { build, transform } from 'esbuild'
 import { ROOT } from './run.mjs'
 
+const LICENSE = '// SPDX-License-Identifier: GPL-3.0-or-later'
+/** @type {import('esbuild').BuildOptions} */
 const BUNDLED = {
   absWorkingDir: ROOT,
   bundle: true,
@@ -15,11 +17,11 @@ const BUNDLED = {
   format: 'esm',
   target: 'es2022',
   legalComments: 'none',
-  banner: { js: '// SPDX-License-Identifier: GPL-3.0-or-later' },
+  banner: { js: LICENSE },
   logLevel: 'warning',
 }
 
-/** Wraps the WebAssembly modules of web/lib as JavaScript, and makes bundle.js, which contains everything. */
+/** Copies the WebAssembly modules of web/lib, and makes bundle.js, which contains everything. */
 async function lib() {
   mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
   for (const name of ['', '-files', '-metrics', '-regions', '-sphere'].flatMap((name) => [
@@ -31,19 +33,43 @@ async function lib() {
   }
   const entries = ['index', 'link', 'metrics', 'regions', 'sphere', 'worker']
   const exported = await Promise.all(entries.map((name) => import(`${ROOT}dist/lib/${name}.js`)))
-  const text = await oneFile('lib', [replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts')])
-  writeFileSync(`${ROOT}dist/lib/bundle.js`, moduleOf(text, exported.flatMap(Object.keys)))
-  // Removes the map of the module that the compiler made.
-  rmSync(`${ROOT}dist/lib/bundle.js.map`)
+  const names = exported.flatMap(Object.keys)
+  // Code that is pasted after the file can use its exports, because they are variables.
+  const ending = `const{${names}}=wholeFile(import.meta.url);export{${names}}`
+  writeFileSync(`${ROOT}dist/lib/bundle.js`, `${LICENSE}\n${await oneFile()}\n${ending}\n`)
+  // Removes what the compiler made of the module.
+  for (const ending of ['js.map', 'd.ts']) rmSync(`${ROOT}dist/lib/bundle.${ending}`)
+  removeUnusedDeclarations()
+}
+
+/**
+ * Bundles the library with the WebAssembly as a function of its address that returns its exports. Threads run the text of
+ * this function where a page cannot start a worker from a file.
+ */
+async function oneFile() {
+  const { outputFiles } = await build({
+    ...BUNDLED,
+    banner: {},
+    format: 'iife',
+    globalName: 'exported',
+    define: { 'import.meta.url': 'addressOfFile' },
+    write: false,
+    entryPoints: ['web/lib/bundle.ts'],
+    plugins: [
+      wasmInside,
+      replacing('web/lib/threads/thread-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
+      replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
+    ],
+  })
+  return `function wholeFile(addressOfFile){${outputFiles[0].text}return exported}`
 }
 
 /**
  * Bundles `<circle-voronoi>`: with its thread as a separate file (index.js, define.js, react.js) and the WebAssembly of
- * dist/lib; and in one file, as a module (bundle.js) and as a script (classic.js), which inline.js turns into a module
- * for any bundler.
+ * dist/lib; and in one file (classic.js), which inline.js turns into a module for any bundler.
  */
 async function element() {
-  for (const name of ['index', 'define', 'bundle', 'react']) copyDeclarations(`element/${name}.d.ts`)
+  for (const name of ['index', 'define', 'react']) copyDeclarations(`element/${name}.d.ts`)
   await build({
     ...BUNDLED,
     outdir: 'dist/element',
@@ -57,63 +83,31 @@ async function element() {
       react: 'web/element/react.ts',
     },
   })
-  const names = ['CircleVoronoiElement', 'defineCircleVoronoi']
-  const whole = [
-    ...ELEMENT,
-    replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/whole-wasm.ts'),
-    replacing('web/lib/wasm/other-wasm.ts', 'web/lib/bundled/wasm/no-other-wasm.ts'),
-  ]
-  writeFileSync(`${ROOT}dist/element/bundle.js`, moduleOf(await oneFile('element', whole), names))
-  await script(whole, names)
+  await elementInOneFile()
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
   const { manifest } = await import('./manifest.mjs')
   writeFileSync(`${ROOT}dist/element/custom-elements.json`, `${JSON.stringify(manifest(), undefined, 2)}\n`)
 }
 
 /**
- * Bundles `web/NAME/bundle.ts` with the WebAssembly as a function of its address that returns its exports. Threads run
- * the text of this function where a page cannot start a worker from a file.
+ * Writes the element as a script with a global variable, and as a module of that script. The thread's text is a string
+ * in it, because bundlers would change a function's references.
  */
-async function oneFile(name, plugins) {
+async function elementInOneFile() {
+  const inOneFile = [...ELEMENT, wasmInside]
   const { outputFiles } = await build({
     ...BUNDLED,
     banner: {},
     format: 'iife',
-    globalName: 'exported',
-    define: { 'import.meta.url': 'addressOfFile' },
     write: false,
-    entryPoints: [`web/${name}/bundle.ts`],
-    plugins: [
-      wasmInside,
-      replacing('web/lib/threads/thread-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
-      replacing('web/view/painter-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
-      ...plugins,
-    ],
-  })
-  return `function wholeFile(addressOfFile){${outputFiles[0].text}return exported}`
-}
-
-/** Turns one file into a module. Its exports are variables, which code pasted after it can use. */
-function moduleOf(text, names) {
-  return `${BUNDLED.banner.js}\n${text}\nconst{${names}}=wholeFile(import.meta.url);export{${names}}\n`
-}
-
-/**
- * Writes the element as a script with a global variable, and as a module of that script. The thread's text is a string
- * in it, because bundlers would change a function's references.
- */
-async function script(plugins, names) {
-  const options = { ...BUNDLED, banner: {}, format: 'iife', write: false }
-  const thread = await build({
-    ...options,
     entryPoints: ['web/view/painter/start-thread.ts'],
-    plugins: [wasmInside, ...plugins],
+    plugins: [...inOneFile, replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/thread-wasm.ts')],
   })
   const text = {
     name: 'thread-text',
     setup({ onResolve, onLoad }) {
       onResolve({ filter: /\/painter\.thread$/ }, ({ path }) => ({ path, namespace: 'thread' }))
-      onLoad({ filter: /./, namespace: 'thread' }, () => ({ contents: thread.outputFiles[0].text, loader: 'text' }))
+      onLoad({ filter: /./, namespace: 'thread' }, () => ({ contents: outputFiles[0].text, loader: 'text' }))
     },
   }
   await build({
@@ -124,28 +118,49 @@ async function script(plugins, names) {
     outfile: 'dist/element/classic.js',
     entryPoints: ['web/element/index.ts'],
     plugins: [
-      wasmInside,
+      ...inOneFile,
       text,
       replacing('web/view/painter-file.ts', 'web/lib/bundled/threads/thread-text.ts'),
-      ...plugins,
+      replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/page-wasm.ts'),
+      replacing('web/lib/wasm/other-wasm.ts', 'web/lib/bundled/wasm/no-other-wasm.ts'),
     ],
   })
+  const names = 'CircleVoronoiElement, defineCircleVoronoi'
   writeFileSync(
     `${ROOT}dist/element/inline.js`,
-    `${BUNDLED.banner.js}\nimport './classic.js'\nexport const { ${names.join(', ')} } = globalThis.circleVoronoi\n`,
+    `${LICENSE}\nimport './classic.js'\nexport const { ${names} } = globalThis.circleVoronoi\n`,
   )
 }
 
 /** Copies the declarations of the element from build/element-types. The declarations of dist/lib exist already. */
-function copyDeclarations(file, copied = new Set()) {
-  if (copied.has(file) || file.startsWith('lib/')) return
-  copied.add(file)
-  const text = readFileSync(`${ROOT}build/element-types/${file}`, 'utf8')
-  mkdirSync(dirname(`${ROOT}dist/${file}`), { recursive: true })
-  writeFileSync(`${ROOT}dist/${file}`, text)
-  for (const [, path] of text.matchAll(/from '(\.[^']+)\.ts'/g)) {
-    copyDeclarations(`${posix.join(dirname(file), path)}.d.ts`, copied)
+function copyDeclarations(file) {
+  for (const name of declarationsFrom(`${ROOT}build/element-types/`, [file])) {
+    if (name.startsWith('lib/')) continue
+    mkdirSync(dirname(`${ROOT}dist/${name}`), { recursive: true })
+    copyFileSync(`${ROOT}build/element-types/${name}`, `${ROOT}dist/${name}`)
   }
+}
+
+/** Removes the declarations of dist/lib that those of its entries do not need. */
+function removeUnusedDeclarations() {
+  const folder = `${ROOT}dist/lib/`
+  const all = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.d.ts'))
+  const used = declarationsFrom(
+    folder,
+    all.filter((name) => !name.includes('/')),
+  )
+  for (const name of all) if (!used.has(name)) rmSync(folder + name)
+}
+
+/** Returns the declaration files of a folder that some of them need, and these. */
+function declarationsFrom(folder, files) {
+  const found = new Set(files)
+  for (const file of found) {
+    for (const [, path] of readFileSync(folder + file, 'utf8').matchAll(/(?:from |import\()'(\.[^']+)\.[jt]s'/g)) {
+      found.add(`${posix.join(dirname(file), path)}.d.ts`)
+    }
+  }
+  return found
 }
 
 /** Bundles pictures without a browser: the library's part, and the command of the program. */
@@ -158,7 +173,7 @@ async function picture() {
     mainFields: ['module', 'main'],
     external: ['node:*'],
     splitting: true,
-    plugins: [styles, wasmBeside],
+    plugins: [styles, libraryBeside],
     entryPoints: { index: 'web/picture/index.ts', command: 'web/picture/command.ts' },
   })
 }
@@ -202,6 +217,17 @@ const wasmBeside = rewriting(
   /'[./]+(generated\/[\w-]+\.wasm)'/g,
   "'../lib/$1'",
 )
+
+/** Lets bundles import the modules of dist/lib. */
+const libraryBeside = {
+  name: 'library-beside',
+  setup({ onResolve }) {
+    onResolve({ filter: /^\..*\.ts$/ }, ({ path, resolveDir }) => {
+      const module = relative(`${ROOT}web/lib`, join(resolveDir, path))
+      return module.startsWith('..') ? undefined : { path: `../lib/${module.replace(/ts$/, 'js')}`, external: true }
+    })
+  },
+}
 
 /** Points the element to its thread's file in dist/element. */
 const painterBeside = rewriting(/web\/view\/painter-file\.ts$/, /'\.\/painter\/start-thread\.ts'/g, "'./painter.js'")

@@ -16,7 +16,7 @@ const SERVICE_WORKER = 'service-worker.js'
  * Files that are not available offline: files for other pages, among them examples, and the large pictures and
  * reference of the documentation.
  */
-const NOT_KEPT = /^(element\.(css|js)|(api|examples|lib)\/.*|docs\/.*\.(jpg|png|svg|txt))$/
+const NOT_KEPT = /^(element\.(css|js)|(api|element|examples|lib)\/.*|docs\/.*\.(jpg|png|svg|txt))$/
 /** Compressing other files would gain nothing. */
 const COMPRESSED = /\.(css|csv|html|js|json|md|svg|txt|wasm|webmanifest)$/
 /** Smaller files fit into one packet uncompressed. */
@@ -25,7 +25,7 @@ const SMALLEST = 1000
 async function buildSite(folder) {
   cpSync(`${ROOT}build/page`, folder, { recursive: true })
   // Pages with an element that the playground writes use this file.
-  copyFileSync(`${ROOT}dist/element/bundle.js`, `${folder}/element.js`)
+  copyFileSync(`${ROOT}dist/element/classic.js`, `${folder}/element.js`)
   await addFirstPicture(folder)
   await buildTexts(folder)
   const compressed = filesOf(folder).filter((name) => isCompressed(`${folder}/${name}`))

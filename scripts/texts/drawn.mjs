@@ -19,7 +19,7 @@ const CONES = { width: 960, height: 600 }
  * @property {number | string} [step] step of the slider
  */
 
-/** @returns {Promise<{ draw: (spec: object, circles: number[][]) => Drawn, colorsOf: Function, extrasOf: Function }>} */
+/** @returns {Promise<{ draw: (spec: any, circles: readonly (readonly number[])[]) => Drawn, colorsOf: Function, extrasOf: Function }>} */
 export async function loadDrawn(library) {
   await build({
     stdin: {

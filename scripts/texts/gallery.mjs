@@ -12,8 +12,8 @@ const EXAMPLES = `${ROOT}examples`
 const SOURCE = /(CMakeLists\.txt|(?<!\.d)\.(cpp|css|csv|html|js|jsx|md|mjs|py|sh))$/
 /** Maps files of dist/ and public/ that examples use to files of the site's folder. */
 const IN_SITE = {
-  'dist/element/index.js': 'element.js',
-  'dist/element/bundle.js': 'element.js',
+  'dist/element/index.js': 'element/index.js',
+  'dist/element/classic.js': 'element.js',
   'dist/element/element.css': 'element.css',
   'dist/lib/index.js': 'lib/bundle.js',
   'dist/lib/regions.js': 'lib/bundle.js',
@@ -27,7 +27,7 @@ const IN_DIST = new RegExp(`(?:\\.\\./)+(${Object.keys(IN_SITE).join('|')})`, 'g
  * @returns {{ folder: string, files: string[], about: string, isLive: boolean }[]}
  */
 export function readGallery() {
-  const all = readdirSync(EXAMPLES, { recursive: true })
+  const all = readdirSync(EXAMPLES, { recursive: true, encoding: 'utf8' })
     .filter((path) => SOURCE.test(path))
     .sort()
   const folders = [...new Set(all.map(dirname))].map((folder) => {
@@ -56,13 +56,16 @@ function aboutOf(files) {
  */
 export async function buildGallery(site) {
   copyFileSync(`${ROOT}web/element/element.css`, `${site}/element.css`)
+  const ofElement = readdirSync(`${ROOT}dist/element`).filter((name) => /^(?!classic|inline|react).*\.js$/.test(name))
+  mkdirSync(`${site}/element`, { recursive: true })
+  for (const name of ofElement) copyFileSync(`${ROOT}dist/element/${name}`, `${site}/element/${name}`)
   // The library's single file fetches further modules.
   mkdirSync(`${site}/lib/generated`, { recursive: true })
   copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/lib/bundle.js`)
-  const modules = ['metrics', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
+  const modules = ['-metrics', '-regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
   // Scripts of examples contain those of these modules.
-  for (const name of [...modules, 'files.wasm', 'sphere.wasm']) {
-    const file = `lib/generated/circle-voronoi-${name}`
+  for (const name of [...modules, '.wasm', '-files.wasm', '-sphere.wasm']) {
+    const file = `lib/generated/circle-voronoi${name}`
     copyFileSync(`${ROOT}dist/${file}`, `${site}/${file}`)
   }
   const examples = readGallery()

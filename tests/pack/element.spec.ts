@@ -296,7 +296,7 @@ test('in one file from another origin, of which nothing else is asked', async ({
     await expectToBeLive(page)
     // Requested by the page and by the thread.
     expect(new Set(asked.filter((url) => url.startsWith(origin)))).toEqual(
-      new Set([`${origin}/dist/element/bundle.js`]),
+      new Set([`${origin}/dist/element/classic.js`]),
     )
     expect(problems).toEqual([])
     expect(await violationsOf(page)).toEqual([])
@@ -314,7 +314,7 @@ test('one file draws power diagrams, wherever its thread comes from', async ({ p
       writeExample(
         'power.html',
         `<!doctype html><html lang="en"><title>Power</title><link rel="icon" href="data:,">
-        <script type="module" src="${address}dist/element/bundle.js"></script>
+        <script type="module" src="${address}dist/element/classic.js"></script>
         <circle-voronoi circles="${THREE}"></circle-voronoi>`,
       )
       const { problems } = watch(page)
@@ -613,7 +613,9 @@ for (const [k, code] of inLanguage('jsx').entries()) {
 
 test('made by a script that is imported later, as in notebooks', async ({ page }) => {
   const { problems } = watch(page)
-  await page.goto(`${server.address}examples/element/notebook/index.html`)
+  const here = await serve(ROOT, `${EXAMPLE_POLICY}; worker-src blob:`)
+  page.once('close', () => void here.close())
+  await page.goto(`${here.address}examples/element/notebook/index.html`)
   await expect(page.locator('output')).toHaveText('0.7')
   await expectToBeLive(page)
   // Moving, removing and inserting the figure again keeps its state.
@@ -1331,7 +1333,7 @@ test('in one file inside the page itself', async ({ page }) => {
     "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; img-src data:",
   )
   try {
-    const bundle = readFileSync(join(ROOT, 'dist/element/bundle.js'), 'utf8')
+    const bundle = readFileSync(join(ROOT, 'dist/element/classic.js'), 'utf8')
     writeExample(
       'inline.html',
       `<!doctype html><html lang="en"><title>Inline</title><link rel="icon" href="data:,">
@@ -1346,7 +1348,7 @@ test('in one file inside the page itself', async ({ page }) => {
   }
 })
 
-for (const build of ['index', 'bundle']) {
+for (const build of ['index', 'classic']) {
   test(`in a frame that has no origin, by ${build}.js`, async ({ page }) => {
     const { problems } = watch(page)
     const here = await serve(ROOT, "default-src * data: blob: 'unsafe-inline' 'wasm-unsafe-eval'")

@@ -47,8 +47,8 @@ test('the lines for Quarto are a live figure in a page', async ({ page }) => {
     'quarto.html',
     `<!doctype html><html lang="en"><title>Quarto</title><link rel="icon" href="data:,">${lines}</html>`,
   )
-  cpSync(join(ROOT, 'dist/element/bundle.js'), project.path('bundle.js'))
-  const server = await serve(project.folder, INLINE_POLICY)
+  cpSync(join(ROOT, 'dist/element/classic.js'), project.path('classic.js'))
+  const server = await serve(project.folder, `${INLINE_POLICY}; worker-src blob:`)
   await page.goto(`${server.address}quarto.html`)
   const figure = page.locator('circle-voronoi')
   await soon(() => figure.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.circles?.length)).toBe(

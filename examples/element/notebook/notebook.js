@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A notebook cell, as in Observable or Jupyter's HTML output, imports a module and returns an element.
-const { CircleVoronoiElement } = await import('../../../dist/element/bundle.js')
+await import('../../../dist/element/classic.js')
 
 const figure = document.createElement('circle-voronoi')
 figure.circles = Array.from({ length: 12 }, (_, k) => ({ x: (k * 7) % 12, y: (k * 5) % 9, r: 0.2 + (k % 3) / 4 }))
@@ -11,4 +11,4 @@ figure.addEventListener('circleschange', ({ detail }) => {
   document.querySelector('output').textContent = Math.max(...radii)
 })
 document.querySelector('#cell').append(figure)
-console.assert(figure instanceof CircleVoronoiElement)
+console.assert(figure instanceof circleVoronoi.CircleVoronoiElement)

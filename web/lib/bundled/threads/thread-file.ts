@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces ../../threads/thread-file.ts and ../../../view/painter-file.ts in the one-file builds. scripts/bundle.mjs
-// wraps such a build in a function. Its threads run the same file and tell by their name what to do.
+// Replaces ../../threads/thread-file.ts in the library's one-file build. scripts/bundle.mjs wraps the build in a function.
+// Its threads run the same file and tell by their name what to do.
 
 /** The function that contains this whole file. Its argument is the address of the file. */
 declare function wholeFile(address: string): unknown

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces ../../../view/painter-file.ts in the element's script. The text of the thread is a string, so no compiler or
+// Replaces ../../../view/painter-file.ts in the element's one-file build. The text of the thread is a string, so no compiler or
 // bundler changes it.
 import text from './painter.thread'
 

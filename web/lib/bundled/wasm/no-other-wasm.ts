@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces ../../wasm/other-wasm.ts in the element's one-file builds, whose threads contain all modules.
+// Replaces ../../wasm/other-wasm.ts in the element's one-file build, whose thread contains all modules.
 
 export function metricsAddress(): undefined {}
 
