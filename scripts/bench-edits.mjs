@@ -125,6 +125,7 @@ function inputOf(family, count) {
     .some((line) => line.split(' ')[0] === family)
   if (!isFamily) return undefined
   execFileSync(NATIVE, ['generate', family, String(2 * count), '--seed', '1', '-o', file])
+  /** @type {{ x: number, y: number, r: number }[][]} */
   const [circles, supply] = [[], []]
   for (const [i, line] of readFileSync(file, 'utf8').trim().split('\n').slice(1).entries()) {
     const [x, y, r] = line.split(',').map(Number)

@@ -53,7 +53,7 @@ function drop(page, name, text) {
       const dataTransfer = new DataTransfer()
       dataTransfer.items.add(new File([text], name))
       const event = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true })
-      document.querySelector('#figure').dispatchEvent(event)
+      document.querySelector('#figure')?.dispatchEvent(event)
     },
     [name, text],
   )
@@ -85,10 +85,10 @@ async function opened(page, circles) {
     const clipboard = new DataTransfer()
     clipboard.items.add(new File([`x,y,r\n${lines.join('\n')}\n`], 'circles.csv', { type: 'text/csv' }))
     const event = new DragEvent('drop', { dataTransfer: clipboard, bubbles: true, cancelable: true })
-    document.querySelector('#figure').dispatchEvent(event)
+    document.querySelector('#figure')?.dispatchEvent(event)
   }, circles)
   const text = `${circles.toLocaleString('en')} circles`
-  await page.waitForFunction((said) => document.querySelector('#status').textContent.includes(said), text)
+  await page.waitForFunction((said) => document.querySelector('#status')?.textContent.includes(said), text)
   return Math.round(performance.now() - start)
 }
 
@@ -124,7 +124,8 @@ async function firstDiagram(browser, url) {
     await page.goto(url, { waitUntil: 'commit' })
     await page.waitForFunction(() => performance.getEntriesByName('live').length > 0)
     return await page.evaluate(() => {
-      const entries = [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
+      const all = [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
+      const entries = /** @type {PerformanceResourceTiming[]} */ (all)
       const timeOf = (name) => Math.round(performance.getEntriesByName(name)[0].startTime)
       const bytes = entries.reduce((sum, { transferSize }) => sum + transferSize, 0)
       // Style sheets block rendering: a frame with the diagram is invisible before the first paint.
@@ -210,7 +211,7 @@ function moving(page, start, stepOf, type) {
             type === 'wheel'
               ? new WheelEvent(type, { ...options, clientX: x, clientY: y, deltaY: dy })
               : new PointerEvent(type, { ...options, clientX: x + dx, clientY: y + dy })
-          figure.dispatchEvent(event)
+          figure?.dispatchEvent(event)
           requestAnimationFrame(frame)
         }
         requestAnimationFrame(frame)
@@ -224,7 +225,7 @@ function latencyOf(page, { x, y }) {
   return page.evaluate(
     async ([x, y]) => {
       const figure = document.querySelector('#figure')
-      const field = document.querySelector('#field-x')
+      const field = /** @type {HTMLInputElement} */ (document.querySelector('#field-x'))
       const nextFrame = () => new Promise(requestAnimationFrame)
       const times = []
       for (let k = 0; k < 21; k++) {
@@ -232,7 +233,7 @@ function latencyOf(page, { x, y }) {
         const before = field.value
         const start = performance.now()
         const options = { bubbles: true, pointerId: 1, pointerType: 'mouse', isPrimary: true }
-        figure.dispatchEvent(new PointerEvent('pointermove', { ...options, clientX: x + 9 + 3 * k, clientY: y }))
+        figure?.dispatchEvent(new PointerEvent('pointermove', { ...options, clientX: x + 9 + 3 * k, clientY: y }))
         do {
           await nextFrame()
           // Other callbacks of this frame may still update it.

@@ -24,7 +24,8 @@ export async function benchWasm(families, sizes, repetitions) {
         Number,
       )
       const turns = Array.from({ length: repetitions }, () => ({
-        native: JSON.parse(execFileSync(NATIVE, ['compute', file, '--format', 'stats'])).seconds.total,
+        native: JSON.parse(execFileSync(NATIVE, ['compute', file, '--format', 'stats'], { encoding: 'utf8' })).seconds
+          .total,
         wasm: library.compute(circles).stats.seconds.total,
       }))
       rows.push({

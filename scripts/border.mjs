@@ -91,10 +91,14 @@ function chained(names, arcs) {
   return rings
 }
 
+/**
+ * @param {number[][]} ring
+ * @param {number[]} point
+ */
 function contains(ring, [x, y]) {
   let isInside = false
   ring.forEach(([x1, y1], k) => {
-    const [x0, y0] = ring.at(k - 1)
+    const [x0, y0] = ring[(k || ring.length) - 1]
     if (y0 > y !== y1 > y && x < x0 + ((y - y0) / (y1 - y0)) * (x1 - x0)) isInside = !isInside
   })
   return isInside
@@ -103,7 +107,7 @@ function contains(ring, [x, y]) {
 /** The signed area. Rings around land are clockwise in TopoJSON, which counts as positive. */
 function area(ring) {
   return ring.reduce((sum, [x, y], k) => {
-    const [x0, y0] = ring.at(k - 1)
+    const [x0, y0] = ring[(k || ring.length) - 1]
     return sum + (x * y0 - x0 * y) / 2
   }, 0)
 }

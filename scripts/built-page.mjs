@@ -15,7 +15,7 @@ export async function withBuiltPage(use) {
     args: ['--headless', '--no-sandbox', '--disable-gpu'],
   })
   try {
-    await use(browser, server.resolvedUrls.local[0])
+    await use(browser, server.resolvedUrls?.local[0])
   } finally {
     await browser.close()
     await server.close()

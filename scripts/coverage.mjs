@@ -27,7 +27,7 @@ async function coverageOfCore() {
   await setup('tests')
   if (!existsSync(`${BUILD}/build.ninja`)) await run('cmake', ['--preset', 'coverage'])
   await run('cmake', ['--build', '--preset', 'coverage'])
-  const counts = readdirSync(BUILD, { recursive: true }).filter((path) => path.endsWith('.gcda'))
+  const counts = readdirSync(BUILD, { recursive: true, encoding: 'utf8' }).filter((path) => path.endsWith('.gcda'))
   for (const path of counts) rmSync(`${BUILD}/${path}`)
   const status = await statusOf('ctest', ['--preset', 'coverage', ...options])
   // Branches to exception handlers are not counted.

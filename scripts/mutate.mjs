@@ -17,7 +17,9 @@ await main(async () => {
     throw new Error('--share is above 0 and at most 1.')
   }
   await build('build:wasm')
-  const own = tokens.filter(({ kind, name }) => kind === 'option' && (name === 'share' || name === 'seed'))
+  const own = tokens
+    .filter((token) => token.kind === 'option')
+    .filter(({ name }) => name === 'share' || name === 'seed')
   const taken = new Set(own.flatMap(({ index, inlineValue }) => (inlineValue ? [index] : [index, index + 1])))
   const others = process.argv.slice(2).filter((_, i) => !taken.has(i))
   const sample =

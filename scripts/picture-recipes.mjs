@@ -25,8 +25,9 @@ export async function pictureRecipes(browser) {
   const folder = mkdtempSync(join(tmpdir(), 'cookbook-'))
   addModules(folder)
   const server = createServer(sirv(folder, { dev: true }))
-  await new Promise((resolve) => server.listen(0, 'localhost', resolve))
-  const address = `http://localhost:${server.address().port}/`
+  await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)))
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address())
+  const address = `http://localhost:${port}/`
   /** Takes the picture of a page that is written into the folder. */
   const take = async (html, picture) => {
     writeFileSync(join(folder, 'index.html'), html)

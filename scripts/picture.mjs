@@ -42,6 +42,7 @@ await main(() =>
 
 /** Runs in a page. Waits until its first figure is painted, or its frames are counted. */
 async function settled() {
+  /** @type {Iterable<Element & { ready?: Promise<void>, updateComplete?: Promise<void> }>} */
   const figures = [...document.querySelectorAll('circle-voronoi')].slice(0, 1)
   for (const figure of figures) {
     await figure.ready

@@ -58,10 +58,10 @@ export async function recipeDrawings() {
     'Compute in tiles': {
       names: [],
       draw() {
-        const { spec } = readBook()
+        const [{ spec }] = readBook()
           .flatMap(({ blocks }) => blocks)
-          .find(({ spec }) => spec.kind === 'final')
-        return tutorial.draw(spec, circlesOf(spec)).picture
+          .filter(({ spec }) => spec.kind === 'final')
+        return String(tutorial.draw(spec, circlesOf(spec)).picture)
       },
     },
     'Save and load a diagram': { names: ['loaded'], draw: ({ loaded }) => drawn(loaded, [-8, -3, 14.4, 11]) },

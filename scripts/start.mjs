@@ -80,7 +80,7 @@ async function serve() {
     // A port that was requested is used or refused. The default gives way to the next free port.
     preview: { port: Number(chosen ?? DEFAULT_PORT), strictPort: chosen !== undefined },
   })
-  console.log(`The page is at ${server.resolvedUrls.local[0]}`)
+  console.log(`The page is at ${server.resolvedUrls?.local[0]}`)
   begin()
   await site
   isWhole = true

@@ -56,6 +56,10 @@ await main(async () => {
   console.log('nothing')
 })
 
+/**
+ * @param {import('./suites.mjs').Suite} suite
+ * @param {typeof CONDITIONS[number]} condition
+ */
 async function failedUnder({ name, program, args, env }, { before = [], loops = 0, env: own }) {
   const report = `${REPORTS}/report.xml`
   rmSync(report, { force: true })

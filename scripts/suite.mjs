@@ -7,7 +7,7 @@ import { ENV, SUITES } from './suites.mjs'
 
 await main(async () => {
   const [name, path] = process.argv.slice(2)
-  const { program, args, env } = SUITES.find((suite) => suite.name === name)
+  const [{ program, args, env }] = SUITES.filter((suite) => suite.name === name)
   const report = ROOT + path
   mkdirSync(dirname(report), { recursive: true })
   await run(program, args(report, false), { ...ENV, ...env?.(report) })

@@ -15,10 +15,23 @@ export const ENV = {
 }
 
 /**
+ * @typedef {object} Suite
+ * @property {string} name
+ * @property {string} [script]
+ * @property {string} program
+ * @property {(report: string, isLong?: boolean) => string[]} args
+ * @property {(report: string) => Record<string, string | undefined>} [env]
+ * @property {('quick' | 'long')[]} [lengths]
+ * @property {boolean} [hasPages]
+ */
+
+/**
  * The suites in their order: the program, its arguments and its environment, so that it writes a JUnit report to a path
  * and runs quick tests, or with `isLong` the others. `lengths` defaults to quick tests only. `hasPages` marks suites
  * that open pages in a browser. `script` names a script of package.json with the suite's inputs. The script skips the suite if
  * it passed with the same inputs before.
+ *
+ * @type {Suite[]}
  */
 export const SUITES = [
   {

@@ -8,7 +8,7 @@ const PLAYGROUND = '../'
 const PLAIN_CELLS = [undefined, 'auto', 'none', 'different']
 
 /**
- * @param {ReadonlyMap<string, import('./tutorial.mjs').Made>} made the links and picture files of figures by name, the
+ * @param {{ get(name: string): Required<import('./tutorial.mjs').Made> }} made the links and picture files of figures by name, the
  * result of the printed rules where they are compared, and the first drawing of the tutorial's own figures
  */
 export function blockRenderer(made) {

@@ -45,7 +45,7 @@ export async function documentationTexts(site) {
   const texts = Object.entries(TEXTS).map(([path, file]) => {
     const link = (address) => siteAddress(site, path, address)
     const { title, html } = renderMarkdown(readFileSync(ROOT + path, 'utf8'), { link })
-    return { folder: 'docs', file, title: file === 'index.html' ? 'Overview' : title, html }
+    return { folder: /** @type {const} */ ('docs'), file, title: file === 'index.html' ? 'Overview' : title, html }
   })
   const [first, ...others] = texts
   const after = (file, more) => others.splice(others.findIndex((text) => text.file === file) + 1, 0, more)

@@ -60,6 +60,10 @@ export function pageOf(template, text, all) {
   return styled.replace(/\{\{(\w+)\}\}/g, (_, name) => filled[name])
 }
 
+/**
+ * @param {Text} text
+ * @param {readonly Text[]} all
+ */
 function bodyOf({ folder, file, html, isChapter, isOpen, isBroad }, all) {
   const here = `${folder}/${file === 'index.html' ? '' : file}`
   const items = (pages) =>
@@ -67,6 +71,7 @@ function bodyOf({ folder, file, html, isChapter, isOpen, isBroad }, all) {
   const chapters = all.filter((page) => page.isChapter)
   const others = all.filter(({ isChapter, isListed = true }) => !isChapter && isListed)
   const k = chapters.findIndex((page) => page.file === file)
+  /** @type {(Text | undefined)[]} */
   const [previous, next] = isChapter ? [chapters[k - 1] ?? all[0], chapters[k + 1]] : []
   const pages = `<nav class="pages" aria-label="${NAMES[folder]}">
 ${chapters.length === 0 ? '' : `<ol>\n${items(chapters)}\n</ol>\n`}<ul>

@@ -39,12 +39,16 @@ const PALE = '.circles > * { fill: color-mix(in srgb, var(--c0) 32%, var(--paper
 
 /**
  * @param {import('../../dist/lib/index.js').CircleVoronoi} library
- * @param {object} drawing the page's own code for colors and extra layers of figures
+ * @param {{ colorsOf: Function, extrasOf: Function }} drawing the page's own code for colors and extra layers of figures
  */
 export function posterMaker(library, { colorsOf, extrasOf }) {
   const tokens = readFileSync(`${ROOT}web/style/tokens.css`, 'utf8')
 
-  /** @param {object} spec a figure of a chapter */
+  /**
+   * @param {string} svg
+   * @param {object} diagram
+   * @param {{ layers?: Record<string, unknown>, stepsBetween?: readonly number[] }} spec a figure of a chapter
+   */
   return (svg, diagram, { layers = {}, stepsBetween }) => {
     const colors = colorsOf(diagram)
     const left = [...ASKED_FOR, ...USUAL]

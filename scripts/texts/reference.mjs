@@ -9,13 +9,13 @@ const FOLDER = `${ROOT}build/api`
 
 /** @returns {import('./page.mjs').Text[]} the list of all modules, then the modules in their order */
 export function referenceTexts() {
-  const files = readdirSync(FOLDER, { recursive: true })
+  const files = readdirSync(FOLDER, { recursive: true, encoding: 'utf8' })
     .filter((file) => file.endsWith('.md'))
     .sort((a, b) => rankOf(a) - rankOf(b) || (a < b ? -1 : 1))
   return files.map((file) => {
     const link = (address) => siteAddress(file, address)
     return {
-      folder: 'api',
+      folder: /** @type {const} */ ('api'),
       file: nameOf(file),
       ...renderMarkdown(readFileSync(`${FOLDER}/${file}`, 'utf8'), { link }),
       isListed: rankOf(file) < 2,

@@ -39,3 +39,25 @@ export interface Chapter {
 }
 
 export function readBook(): readonly Chapter[]
+
+/** The parts of a figure that are made for the site. */
+export interface Made {
+  readonly circles: number[][]
+  /** The fragment of its link, without the #. */
+  readonly link: string
+  /** The file of its picture. */
+  readonly poster?: string
+  /** The result of the rules as printed. */
+  readonly printed?: { readonly poster: string; readonly sentence: string }
+  /** A drawing of the tutorial, with the file of its picture. */
+  readonly drawing?: {
+    readonly poster: string
+    readonly height: number
+    readonly told: string
+    readonly last: number
+    readonly step: number | string
+  }
+}
+
+/** Writes the pictures of figures into the folder of the built site. */
+export function tutorialTexts(folder: string): Promise<import('./page.mjs').Text[]>

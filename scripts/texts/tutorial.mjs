@@ -27,15 +27,6 @@ const FIGURES = 16
 /** Aspect ratio of figures. Figures beside results of printed rules are squares (web/tutorial/tutorial.css). */
 const ASPECT = 8 / 5
 
-/**
- * @typedef {object} Made what there is of a figure
- * @property {number[][]} circles
- * @property {string} link the fragment of its link, without the #
- * @property {string} [poster] the file of its picture
- * @property {{ poster: string, sentence: string }} [printed] what the rules as printed find
- * @property {object} [drawing] what the tutorial draws itself, with the file of its picture
- */
-
 /** The chapters in their order, then the other pages, each with its figures and questions. */
 export function readBook() {
   return readdirSync(CHAPTERS)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A checker for StrykerJS that leaves out all changes except a random share, drawn by a seed. It reports the others as
 // not compiling, so that they are not counted. Whether a change is in the sample does not depend on other changes.
-// @ts-check
 import { createHash } from 'node:crypto'
 import { CheckStatus } from '@stryker-mutator/api/check'
 import { declareValuePlugin, PluginKind } from '@stryker-mutator/api/plugin'

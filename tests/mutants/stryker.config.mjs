@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The changes that `npm run mutate` makes, one at a time, to web/lib and to the parts of the page that need no browser,
 // and the way in which the tests of tests/web run on each.
-// @ts-check
 import { fileURLToPath } from 'node:url'
 
 /** Whether only a sample is made (`npm run mutate -- --share`). */

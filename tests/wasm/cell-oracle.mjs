@@ -13,10 +13,16 @@ const CLOSE = ONE >> 260n
 const CLEAR = 1e-9
 
 const abs = (a) => (a < 0n ? -a : a)
+/** @type {(a: bigint, b: bigint) => bigint} */
 const mul = (a, b) => (a * b) >> BITS
+/** @type {(a: bigint, b: bigint) => bigint} */
 const div = (a, b) => (a << BITS) / b
 const toNumber = (a) => Number(a >> (BITS - 200n)) / 2 ** 200
 
+/**
+ * @param {bigint} a
+ * @returns {bigint}
+ */
 function root(a) {
   if (a <= 0n) return 0n
   const square = a << BITS
@@ -33,7 +39,7 @@ function rootsOf(a, b, c) {
   if (abs(a) < CLOSE) return abs(b) < CLOSE ? [] : [-div(c, 2n * b)]
   const square = mul(b, b) - mul(a, c)
   if (square < 0n) return []
-  const sum = b > 0n ? -b - root(square) : -b + root(square)
+  const sum = b > 0n ? 0n - b - root(square) : root(square) - b
   return sum === 0n ? [0n] : [div(sum, a), div(c, sum)]
 }
 

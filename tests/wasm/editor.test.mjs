@@ -19,9 +19,11 @@ after(() => rmSync(folder, { recursive: true }))
 
 /** Loads the library, and returns the memory of its module, too. */
 async function loadWithMemory() {
-  const { instantiate } = WebAssembly
+  /** @type {any} */
+  const web = WebAssembly
+  const { instantiate } = web
   let memory
-  WebAssembly.instantiate = async (...args) => {
+  web.instantiate = async (...args) => {
     const instance = await instantiate(...args)
     memory = Object.values(instance.exports).find((value) => value instanceof WebAssembly.Memory)
     return instance
@@ -29,7 +31,7 @@ async function loadWithMemory() {
   try {
     return { library: await loadCircleVoronoi(), memory: () => memory.buffer.byteLength }
   } finally {
-    WebAssembly.instantiate = instantiate
+    web.instantiate = instantiate
   }
 }
 
@@ -87,7 +89,7 @@ describe('the memory of editors', () => {
     })
     let grown
     for (let i = 0; i < 60; i++) {
-      registry.register(library.edit(circles))
+      registry.register(library.edit(circles), undefined)
       // Finalizers run in turns of the event loop, so that other editors are finalized next to this one.
       while (forgotten <= i) {
         collectGarbage()
@@ -101,7 +103,7 @@ describe('the memory of editors', () => {
 })
 
 describe('the same changes and bits as the native program', () => {
-  for (const [family, count] of [
+  for (const [family, count] of /** @type {const} */ ([
     ['uniform', 120],
     ['grid', 49],
     ['hidden', 90],
@@ -111,7 +113,7 @@ describe('the same changes and bits as the native program', () => {
     ['one-huge', 60],
     ['near-nested', 40],
     ['extreme', 20],
-  ]) {
+  ])) {
     it(family, async () => {
       const library = await loadCircleVoronoi()
       const names = ['circles.csv', 'edits.csv', 'changes.jsonl'].map((name) => join(folder, `${family}-${name}`))
@@ -128,12 +130,16 @@ describe('the same changes and bits as the native program', () => {
       const removed = []
       const changes = []
       editor.onchange = ({ revision: _, ...change }) =>
-        changes.push(JSON.parse(JSON.stringify(change, (_, value) => (ArrayBuffer.isView(value) ? [...value] : value))))
+        changes.push(
+          JSON.parse(
+            JSON.stringify(change, (_, value) => (ArrayBuffer.isView(value) ? [.../** @type {any} */ (value)] : value)),
+          ),
+        )
       for (let i = 0; i < 150; i++) {
         const ids = editor.ids()
         const id = ids[Math.floor(random() * ids.length)]
         const [x, y, r] = rows[Math.floor(random() * rows.length)]
-        const old = editor.circle(id)
+        const old = /** @type {import('../../dist/lib/index.js').Circle} */ (editor.circle(id))
         const step = i % 3 === 0 ? [x, y, r] : [old.x + (x - old.x) / 64, old.y + (y - old.y) / 64, i % 2 ? old.r : r]
         if (i % 7 === 0 && ids.length > 4) {
           editor.remove(id)
@@ -153,7 +159,7 @@ describe('the same changes and bits as the native program', () => {
       }
       writeFileSync(scriptFile, script.join('\n'))
       const output = execFileSync(NATIVE, ['edit', circlesFile, '--script', scriptFile, '--changes', changesFile])
-      const native = JSON.parse(output)
+      const native = JSON.parse(output.toString())
       const lists = readFileSync(changesFile, 'utf8')
         .trim()
         .split('\n')
@@ -192,7 +198,7 @@ describe('an editor in a worker', () => {
     const here = (await loadCircleVoronoi()).edit(THREE)
     const there = await worker.edit(THREE)
     const told = []
-    const back = { kind: 'insert', circle: [6, 0, 1], id: 1 }
+    const back = /** @type {const} */ ({ kind: 'insert', circle: [6, 0, 1], id: 1 })
     there.onchange = (change) => told.push(change)
     const diagram = await there.snapshot()
     const changes = [
@@ -238,6 +244,7 @@ describe('an editor in a worker', () => {
   it('keeps the order of what is not merged', async () => {
     const editor = await worker.edit(THREE)
     const busy = editor.insert([2, 2, 1])
+    /** @type {{ value?: any, reason?: any }[]} */
     const [, before, , after_, removed, late] = await Promise.allSettled([
       editor.replace(1, [7, 0, 1]),
       editor.circle(1),
@@ -265,10 +272,10 @@ describe('an editor in a worker', () => {
     await rejects(editor.remove(7), 'unknownCircle', 7)
     await rejects(editor.replace(1, [0, 0, -1]), 'negativeRadius', 1)
     await rejects(editor.insert([0, 0]), 'badInput', undefined)
-    await rejects(editor.apply([{ kind: 'move' }]), 'badInput', undefined)
-    await rejects(editor.nearest('0', 0), 'badInput', undefined)
+    await rejects(editor.apply(/** @type {any} */ ([{ kind: 'move' }])), 'badInput', undefined)
+    await rejects(editor.nearest(/** @type {any} */ ('0'), 0), 'badInput', undefined)
     await rejects(worker.edit([[0, 0, -1]]), 'negativeRadius', 0)
-    await rejects(worker.edit('circles'), 'badInput', undefined)
+    await rejects(worker.edit(/** @type {any} */ ('circles')), 'badInput', undefined)
     editor.onchange = () => {
       throw new RangeError('mine')
     }
@@ -304,7 +311,7 @@ describe('an editor in a worker', () => {
       const editor = await createWorker().edit([{ x: 0, y: 0, r: 1 }])
       editor.insert([5, 5, 1]).then(({ inserted }) => console.log(inserted[0]))
     `
-    const options = { encoding: 'utf8', timeout: 60_000 }
-    assert.equal(execFileSync(process.execPath, ['--input-type=module', '--eval', script], options), '1\n')
+    const printed = execFileSync(process.execPath, ['--input-type=module', '--eval', script], { timeout: 60_000 })
+    assert.equal(printed.toString(), '1\n')
   })
 })

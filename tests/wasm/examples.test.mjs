@@ -17,7 +17,7 @@ const library = await loadCircleVoronoi()
 const diagram = library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
 `
 
-const sources = readdirSync(`${ROOT}web/lib`, { recursive: true })
+const sources = readdirSync(`${ROOT}web/lib`, { recursive: true, encoding: 'utf8' })
   .filter((name) => name.endsWith('.ts'))
   .map((name) => readFileSync(`${ROOT}web/lib/${name}`, 'utf8'))
 const names = Object.fromEntries(

@@ -47,11 +47,25 @@ describe('a diagram is written as by the program', () => {
       const path = `${ROOT}tests/fixtures/${fixture}`
       const circles = files.readCircles(readFileSync(path))
       const diagram = library.compute(circles)
-      for (const format of ['json', 'csv', 'stats', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj']) {
+      for (const format of /** @type {const} */ ([
+        'json',
+        'csv',
+        'stats',
+        'svg',
+        'geojson',
+        'geojsonl',
+        'wkt',
+        'obj',
+      ])) {
         const text = files.writeDiagram(diagram, { format })
         assert.equal(withoutTimes(text), run(['compute', path, '--format', format]).text, format)
       }
-      const box = { format: 'wkt', bounds: [-3, 0.001, 7.25, 10], tolerance: 3e-7, maxDistance: 0.7 }
+      const box = /** @type {const} */ ({
+        format: 'wkt',
+        bounds: [-3, 0.001, 7.25, 10],
+        tolerance: 3e-7,
+        maxDistance: 0.7,
+      })
       const same = ['--format', 'wkt', '--bounds=-3,0.001,7.25,10', '--tolerance', '3e-7', '--max-distance', '0.7']
       assert.equal(files.writeDiagram(diagram, box), run(['compute', path, ...same]).text)
     })
@@ -72,13 +86,14 @@ describe('a diagram is written as by the program', () => {
         [50, 40],
       ],
     ]
-    const shape = { type: 'Polygon', coordinates: rings.map((ring) => [...ring, ring[0]]) }
+    const coordinates = rings.map((ring) => [...ring, ring[0]])
+    const shape = { type: /** @type {const} */ ('Polygon'), coordinates }
     const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
     const file = `${folder}/region.geojson`
     writeFileSync(file, JSON.stringify(shape))
     const diagram = library.compute(readCirclesOf('waka.csv'))
     const path = `${ROOT}tests/fixtures/waka.csv`
-    for (const format of ['svg', 'geojson', 'geojsonl', 'wkt', 'obj']) {
+    for (const format of /** @type {const} */ (['svg', 'geojson', 'geojsonl', 'wkt', 'obj'])) {
       const text = files.writeDiagram(diagram, { format, region: region(shape), maxDistance: 8 })
       const args = ['compute', path, '--format', format, '--region', file, '--max-distance', '8']
       assert.equal(withoutTimes(text), run(args).text, format)
@@ -108,11 +123,11 @@ describe('diagrams by other metrics', () => {
   const circles = readCirclesOf('waka.csv')
   // One weight is smaller than a step of coordinates.
   const signed = circles.map((value, k) => (k === 2 ? 2 ** -150 : k % 6 === 5 ? -value : value))
-  for (const [metric, weights] of [
+  for (const [metric, weights] of /** @type {const} */ ([
     ['centers', false],
     ['power', false],
     ['power', true],
-  ]) {
+  ])) {
     it(`by the metric ${metric}${weights ? ' with weights of any sign' : ''} are read as they were written, and drawn`, () => {
       const diagram = metrics.compute(weights ? signed : circles, { metric, weights })
       assert.equal(diagram.certificate.certified, true)
@@ -124,7 +139,7 @@ describe('diagrams by other metrics', () => {
 
 it('circles go through every format to the bit', () => {
   const circles = Float64Array.of(-0, 5e-324, 0, 7e28, -1 / 3, 2 ** -30, 0.1, 123456789012345680, 1e-7)
-  for (const format of ['csv', 'json', 'geojson']) {
+  for (const format of /** @type {const} */ (['csv', 'json', 'geojson'])) {
     const text = files.writeCircles(circles, { format })
     assert.deepEqual(files.readCircles(text), circles)
     assert.deepEqual(files.readCircles(new TextEncoder().encode(text)), circles)

@@ -8,9 +8,6 @@ import { tmpdir } from 'node:os'
 import { createInterface } from 'node:readline'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { distanceFrom } from '../../dist/lib/base/metric.js'
-import { bezierPointAt } from '../../dist/lib/curves/bezier.js'
-import { linkSides } from '../../dist/lib/diagram/link-sides.js'
 import {
   clearestPath,
   closestPair,
@@ -30,9 +27,7 @@ import {
   rationalBezier,
 } from '../../dist/lib/index.js'
 import { loadMetrics } from '../../dist/lib/metrics.js'
-import { exportBox, exportBoxOf } from '../../dist/lib/regions/export-box.js'
-import { curveLength } from '../../dist/lib/regions/measure.js'
-import { wholeLoop } from '../../dist/lib/regions/outline.js'
+import { innerModule } from './inner-module.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const NATIVE = `${ROOT}build/native/circle-voronoi`
@@ -45,6 +40,12 @@ const NEAR_PARAMETER = 0.1
 /** Results of an arctangent, which differs between platforms. */
 const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 
+const { distanceFrom } = await innerModule('base/metric')
+const { bezierPointAt } = await innerModule('curves/bezier')
+const { linkSides } = await innerModule('diagram/link-sides')
+const { exportBox, exportBoxOf } = await innerModule('regions/export-box')
+const { curveLength } = await innerModule('regions/measure')
+const { wholeLoop } = await innerModule('regions/outline')
 const library = await loadCircleVoronoi()
 const { compute } = await loadMetrics({ library })
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
@@ -69,7 +70,7 @@ const fixtures = readdirSync(`${ROOT}tests/fixtures`)
 const scaled = ['waka.csv', 'missed-antipodal-disc-mixed-6.csv'].flatMap((name) =>
   [-40, 30].map((exponent) => ({
     name: `2^${exponent} times ${name}`,
-    circles: fixtures.find((fixture) => fixture.name === name).circles.map((value) => value * 2 ** exponent),
+    circles: fixtures.filter((fixture) => fixture.name === name)[0].circles.map((value) => value * 2 ** exponent),
   })),
 )
 /**
@@ -87,7 +88,7 @@ const needles = [
 
 for (const { name, circles } of [...fixtures, ...scaled, ...needles]) {
   describe(name, () => {
-    for (const metric of ['circles', 'centers', 'power']) {
+    for (const metric of /** @type {const} */ (['circles', 'centers', 'power'])) {
       it(`has the geometry of C++ by the metric ${metric}`, () => {
         return compare(compute(circles, { metric }), metric)
       })

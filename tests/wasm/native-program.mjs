@@ -22,7 +22,12 @@ async function outcomeOf(program, args, input) {
   return { status: await ended, stdout: stdout.replace(/"seconds": \{[^}]*\}/g, ''), stderr }
 }
 
-/** Expects the same output of both programs, and returns it. */
+/**
+ * Expects the same output of both programs, and returns it.
+ *
+ * @param {string[]} args
+ * @param {string | Uint8Array} input
+ */
 export async function both(args, input = '') {
   const [native, wasm] = await Promise.all([NATIVE, WASM].map((program) => outcomeOf(program, args, input)))
   assert.deepEqual(wasm, native, args.join(' '))

@@ -9,13 +9,14 @@ import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { edgeAt, loadCircleVoronoi, vertexAt } from '../../dist/lib/index.js'
 import { loadMetrics } from '../../dist/lib/metrics.js'
-import { exportBox } from '../../dist/lib/regions/export-box.js'
 import { loadRegions } from '../../dist/lib/regions.js'
 import { realData } from '../../scripts/data.mjs'
+import { innerModule } from './inner-module.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const NATIVE = `${ROOT}build/native/circle-voronoi`
 const LARGEST_OUTPUT = 2 ** 28
+const METRICS = /** @type {const} */ (['circles', 'power'])
 
 const OPTIONS = [
   { method: 'auto' },
@@ -28,12 +29,13 @@ const OPTIONS = [
   { metric: 'power' },
 ]
 
+const { exportBox } = await innerModule('regions/export-box')
 const library = await loadCircleVoronoi()
 const { compute } = await loadMetrics({ library })
 const { region, fitAreas } = await loadRegions()
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 after(() => rmSync(folder, { recursive: true }))
-const fixtures = readdirSync(`${ROOT}tests/fixtures`, { recursive: true }).filter(
+const fixtures = readdirSync(`${ROOT}tests/fixtures`, { recursive: true, encoding: 'utf8' }).filter(
   // The sites of fits have no radii.
   (name) => name.endsWith('.csv') && !name.startsWith('fits/'),
 )
@@ -46,7 +48,7 @@ describe('the module', () => {
 
 for (const options of OPTIONS) {
   describe(`the same bits as the native program, ${Object.values(options).join(' ')}`, () => {
-    for (const fixture of fixtures) it(fixture, () => compare(`${ROOT}tests/fixtures/${fixture}`, options))
+    for (const fixture of fixtures) it(fixture, () => void compare(`${ROOT}tests/fixtures/${fixture}`, options))
   })
 }
 
@@ -97,9 +99,9 @@ describe('the same measures as the native program without limits, and the same b
 
 describe('the same bits as the native program, in a region', () => {
   const names = ['bronzefilter.csv', 'spruces.csv', 'waka.csv']
-  for (const [name, metric, share] of [
-    ...names.map((name) => [name, 'circles']),
-    ...names.flatMap((name) => ['circles', 'power'].map((metric) => [name, metric, 0.02])),
+  for (const { name, metric, share } of [
+    ...names.map((name) => ({ name, metric: /** @type {const} */ ('circles'), share: undefined })),
+    ...names.flatMap((name) => METRICS.map((metric) => ({ name, metric, share: 0.02 }))),
   ]) {
     it(`clipped: ${name}, ${metric}${share ? ', within a distance' : ''}`, () => {
       const file = `${ROOT}tests/fixtures/${name}`
@@ -135,13 +137,13 @@ describe('the same bits as the native program, in a region', () => {
     })
   }
 
-  for (const [count, decades, metric] of [
+  for (const [count, decades, metric] of /** @type {const} */ ([
     [40, 0, 'circles'],
     [150, 2, 'circles'],
     [150, 2, 'power'],
-  ]) {
+  ])) {
     it(`fitted: ${count} areas over ${decades} decades, ${metric}`, () => {
-      let state = count
+      let state = Number(count)
       const random = () => {
         state = (state * 48_271) % 2_147_483_647
         return state / 2_147_483_647

@@ -8,14 +8,14 @@ import { NATIVE } from './native-program.mjs'
 
 const { fitAreas } = await loadRegions()
 
-for (const [count, lattice, metric] of [
+for (const [count, lattice, metric] of /** @type {const} */ ([
   [3, [4, 0, 1, 3], 'circles'],
   [60, [4, 0, 1, 3], 'circles'],
   [40, [30, 1, 29, 2], 'circles'],
   [60, [4, 0, 1, 3], 'power'],
-]) {
+])) {
   it(`fitted: ${count} areas in the box ${lattice}, ${metric}`, () => {
-    let state = count
+    let state = Number(count)
     const random = () => {
       state = (state * 48_271) % 2_147_483_647
       return state / 2_147_483_647

@@ -6,7 +6,7 @@ import { loadCircleVoronoi } from '../../dist/lib/index.js'
 import { loadRegions } from '../../dist/lib/regions.js'
 import { createWorker } from '../../dist/lib/worker.js'
 
-const BOX = { a: [40, 0], b: [10, 30] }
+const BOX = /** @type {const} */ ({ a: [40, 0], b: [10, 30] })
 const CIRCLES = Array.from({ length: 300 }, (_, i) => [(i * 24.721) % 40, (i * 12.426) % 30, (i % 7) / 10])
 
 const worker = createWorker()
@@ -41,7 +41,7 @@ describe('a worker', () => {
   })
 
   it('rejects with the errors of computePeriodic, and cancels', async () => {
-    const parallel = { a: [1, 0], b: [2, 0] }
+    const parallel = /** @type {const} */ ({ a: [1, 0], b: [2, 0] })
     await assert.rejects(worker.computePeriodic(CIRCLES, parallel), { code: 'badOption' })
     await assert.rejects(worker.computePeriodic([[0, 0, -1]], BOX), { code: 'negativeRadius', circle: 0 })
     await assert.rejects(worker.computePeriodic(CIRCLES, BOX, { signal: AbortSignal.abort('enough') }), (reason) => {

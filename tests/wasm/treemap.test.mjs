@@ -87,6 +87,7 @@ describe('treemap', () => {
   it('gives the same in a worker, to the bit, with its progress, and cancels there', async () => {
     const worker = createWorker()
     try {
+      /** @type {number[][][]} */
       const [here, there] = [[], []]
       const first = treemap(randomTree(7), { region: square, progress: (...told) => here.push(told) })
       const tree = randomTree(7)
@@ -129,9 +130,11 @@ describe('treemap', () => {
   })
 
   it('names the node in errors', () => {
-    const tree = { children: [{ name: 'Asia', children: [{ name: 'Japan', value: -1 }] }] }
+    /** @type {{ name: string, value: any }} */
+    const japan = { name: 'Japan', value: -1 }
+    const tree = { children: [{ name: 'Asia', children: [japan] }] }
     assert.throws(() => treemap(tree, { region: square }), /Asia, Japan.*-1/)
-    tree.children[0].children[0].value = 'many'
+    japan.value = 'many'
     assert.throws(() => treemap(tree, { region: square }), { code: 'badInput', message: /Asia, Japan.*many/ })
     assert.throws(() => treemap({ children: [{ value: 0 }] }, { region: square }), { code: 'badInput' })
     const twice = { name: 'twice', value: 1 }
