@@ -732,7 +732,7 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
 
 const SQUARE = 'POLYGON ((-2 -2, 12 -2, 12 10, -2 10), (4 3, 6 3, 6 5, 4 5))'
 
-for (const file of ['index', 'bundle']) {
+for (const file of ['index', 'classic']) {
   test(`with a region and areas: cut, fitted, edited and kept, as ${file}.js`, async ({ page }) => {
     const { problems, asked } = watch(page)
     writeExample('square.wkt', SQUARE)
@@ -743,7 +743,9 @@ for (const file of ['index', 'bundle']) {
       <style>circle-voronoi { width: 600px; height: 400px }</style>
       <circle-voronoi circles="${THREE}" view="5 4 20"></circle-voronoi>`,
     )
-    await page.goto(`${server.address}${PAGES}/regions.html`)
+    const here = await serve(ROOT, `${EXAMPLE_POLICY}; worker-src 'self' blob:`)
+    page.once('close', () => void here.close())
+    await page.goto(`${here.address}${PAGES}/regions.html`)
     await shown(page)
     const element = page.locator('circle-voronoi')
     const { x, y } = (await element.boundingBox()) as { x: number; y: number }
