@@ -56,7 +56,7 @@ export default [
     name: 'The element in one file',
     // This includes 507 kB for regions, fitted areas, treemaps and power diagrams: the file may be copied alone. 30 kB are for
     // scripts that both the page and its thread have.
-    limit: '871 kB',
+    limit: '873 kB',
     path: 'dist/element/classic.js',
     gzip: true,
   },
@@ -66,7 +66,7 @@ export default [
     // areas, 7 for the scripts of the modules for these and for power diagrams, as Vite up to 7 cannot split a thread; the
     // rest for geometry and the painting thread. 0.6 are for points in well-known binary, names in SVG and what is said
     // about missing numbers.
-    limit: '300.5 kB',
+    limit: '301.5 kB',
     path: ['dist/element/index.js', 'dist/element/painter.js', `${LIB}/generated/circle-voronoi.wasm`],
     // Files that the first figure does not need are fetched on demand.
     ignore: ['player', 'german', 'link'].map((name) => `./${name}-*`),
