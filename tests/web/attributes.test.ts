@@ -81,7 +81,7 @@ describe('attributes', () => {
 async function started() {
   vi.stubGlobal('requestAnimationFrame', () => {})
   const session = pageSession({ onproblem: fail })
-  await session.actions.open(async () => scene)
+  await session.actions.opening.open(async () => scene)
   return session
 }
 
@@ -95,13 +95,13 @@ describe('in the page, attributes', () => {
   it('are in a link with few circles, with the column of the colors, and in none that has no room', async () => {
     const { editing, actions, fake: view } = await started()
     await editing.edit([{ kind: 'remove', id: 1 }])
-    actions.colorBy('n')
-    const said = actions.linkState()
+    actions.coloring.colorBy('n')
+    const said = actions.opening.linkState()
     expect(said?.layers).toEqual({ column: 'n' })
     const link = await encodeLink(said ?? {})
     expect((await decodeLink(link)).attributes).toEqual(attributesOf(ATTRIBUTES, [0, 2]))
     view.layers = DEFAULT_LAYERS
-    await actions.openLink(link)
+    await actions.data.openLink(link)
     expect(fileAttributes(editing)).toEqual(attributesOf(ATTRIBUTES, [0, 2]))
     expect(view.layers.column?.name).toBe('n')
 

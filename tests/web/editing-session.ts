@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 export { aTurn, eventually } from './turns.ts'
 
-import { PageActions } from '../../web/app/page-actions.ts'
+import { pageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
+import { figureActions } from '../../web/editing/figure-actions.ts'
 import { INITIAL_STATE } from '../../web/editing/state.ts'
 import { type Camera, NO_PADDING, type Padding, type Size } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -59,7 +59,7 @@ export function editingSession({
     ask: async (): Promise<unknown> => undefined,
   }
   const view = fake as unknown as View
-  const actions = new EditorActions(store, editing, view, () => padding)
+  const actions = figureActions(store, editing, view, () => padding)
   return { computer, store, problems, editing, fake, view, actions, circles: () => [...editing.circles.circles()] }
 }
 
@@ -73,5 +73,5 @@ export function pageSession(options?: Parameters<typeof editingSession>[0]) {
   const session = editingSession(options)
   const { store, editing, view } = session
   const reader = { call: () => Promise.reject(new Error('There are no files.')), cancel() {} }
-  return { ...session, actions: new PageActions(store, editing, view, () => NO_PADDING, reader) }
+  return { ...session, actions: pageActions(store, editing, view, () => NO_PADDING, reader) }
 }

@@ -55,28 +55,33 @@ describe('screen readers hear', () => {
   type Actions = Awaited<ReturnType<typeof started>>['actions']
   const circles = (count: number) => Array.from({ length: count }, (_, k) => ({ x: 50 + 10 * k, y: 50, r: 1 }))
   it.each([
-    ['one new circle', [], (actions: Actions) => actions.add(circles(1)), /3/],
-    ['several new circles', [], (actions: Actions) => actions.add(circles(2)), /2/],
-    ['a copy', [2], (actions: Actions) => actions.duplicateSelected(), /./],
-    ['several copies', [0, 1], (actions: Actions) => actions.duplicateSelected(), /2/],
-    ['one deleted circle', [1], (actions: Actions) => actions.removeSelected(), /1/],
-    ['several deleted circles', [0, 2], (actions: Actions) => actions.removeSelected(), /2/],
+    ['one new circle', [], (actions: Actions) => actions.circles.add(circles(1)), /3/],
+    ['several new circles', [], (actions: Actions) => actions.circles.add(circles(2)), /2/],
+    ['a copy', [2], (actions: Actions) => actions.circles.duplicateSelected(), /./],
+    ['several copies', [0, 1], (actions: Actions) => actions.circles.duplicateSelected(), /2/],
+    ['one deleted circle', [1], (actions: Actions) => actions.circles.removeSelected(), /1/],
+    ['several deleted circles', [0, 2], (actions: Actions) => actions.circles.removeSelected(), /2/],
     [
       'where a circle is moved',
       [0],
-      (actions: Actions) => actions.moveSelected(0.3, -0.2, actions.beginGesture()),
+      (actions: Actions) => actions.circles.moveSelected(0.3, -0.2, actions.circles.beginGesture()),
       /0\.3.*-0\.2.*1/,
     ],
-    ['that several are moved', [0, 1], (actions: Actions) => actions.moveSelected(1, 2, actions.beginGesture()), /2/],
+    [
+      'that several are moved',
+      [0, 1],
+      (actions: Actions) => actions.circles.moveSelected(1, 2, actions.circles.beginGesture()),
+      /2/,
+    ],
     [
       'the radius of a circle that grows',
       [1],
-      (actions: Actions) => actions.growSelected(0.5, 9, actions.beginGesture()),
+      (actions: Actions) => actions.circles.growSelected(0.5, 9, actions.circles.beginGesture()),
       /10.*0.*2\.5/,
     ],
   ] as const)('%s', async (_, selection, act, text) => {
     const { actions, said } = await started()
-    actions.select(selection)
+    actions.selection.select(selection)
     await act(actions)
     await aTurn()
     expect(said()).toMatch(text)
@@ -84,18 +89,18 @@ describe('screen readers hear', () => {
 
   it('nothing of what is refused, and nothing where nothing is selected', async () => {
     const { actions, computer, said, selection } = await started()
-    expect(await actions.add([{ x: 0, y: 0, r: -1 }])).toEqual([])
+    expect(await actions.circles.add([{ x: 0, y: 0, r: -1 }])).toEqual([])
     for (const act of [
-      () => actions.duplicateSelected(),
-      () => actions.removeSelected(),
-      () => actions.moveSelected(1, 2, actions.beginGesture()),
+      () => actions.circles.duplicateSelected(),
+      () => actions.circles.removeSelected(),
+      () => actions.circles.moveSelected(1, 2, actions.circles.beginGesture()),
     ]) {
       await act()
       await aTurn()
     }
     vi.spyOn(computer, 'apply').mockRejectedValueOnce(new Error('It failed.'))
-    actions.select([2])
-    const removed = actions.removeSelected()
+    actions.selection.select([2])
+    const removed = actions.circles.removeSelected()
     expect(selection(), 'at once').toEqual([])
     await removed
     expect(said()).toBe('')
@@ -104,8 +109,8 @@ describe('screen readers hear', () => {
   it('that snapping is turned on and off', async () => {
     const { actions, said } = await started()
     const heard = [true, false].map((isOn) => {
-      actions.toggleSnapping()
-      expect(actions.snaps).toBe(isOn)
+      actions.tools.toggleSnapping()
+      expect(actions.tools.snaps).toBe(isOn)
       return said()
     })
     expect(new Set(heard).size).toBe(2)
@@ -115,27 +120,27 @@ describe('screen readers hear', () => {
 describe('adding', () => {
   it('at a place leaves room to the nearest circle, and is of the usual size in the open or inside a circle', async () => {
     const { actions, fake } = await started()
-    expect(actions.fitted({ x: 100, y: 0 })).toEqual({ x: 100, y: 0, r: USUAL_RADIUS })
-    expect(actions.fitted({ x: 5, y: 0 })).toEqual({ x: 5, y: 0, r: 1.5 })
-    expect(actions.fitted({ x: 0, y: 14 })).toEqual({ x: 0, y: 14, r: 1.5 })
-    expect(actions.fitted({ x: 1, y: 0 }), 'on a rim').toEqual({ x: 1, y: 0, r: USUAL_RADIUS })
-    expect(actions.fitted({ x: 0, y: 0.5 })).toEqual({ x: 0, y: 0.5, r: USUAL_RADIUS })
+    expect(actions.circles.fitted({ x: 100, y: 0 })).toEqual({ x: 100, y: 0, r: USUAL_RADIUS })
+    expect(actions.circles.fitted({ x: 5, y: 0 })).toEqual({ x: 5, y: 0, r: 1.5 })
+    expect(actions.circles.fitted({ x: 0, y: 14 })).toEqual({ x: 0, y: 14, r: 1.5 })
+    expect(actions.circles.fitted({ x: 1, y: 0 }), 'on a rim').toEqual({ x: 1, y: 0, r: USUAL_RADIUS })
+    expect(actions.circles.fitted({ x: 0, y: 0.5 })).toEqual({ x: 0, y: 0.5, r: USUAL_RADIUS })
     fake.camera = { x: 0, y: 0, scale: 48 }
-    expect(actions.fitted({ x: 5, y: 0 })).toEqual({ x: 5, y: 0, r: 0.5 })
+    expect(actions.circles.fitted({ x: 5, y: 0 })).toEqual({ x: 5, y: 0, r: 0.5 })
     const empty = await started({ circles: [] })
-    expect(empty.actions.fitted({ x: 1, y: 2 })).toEqual({ x: 1, y: 2, r: USUAL_RADIUS })
-    await actions.addFitting({ x: 5, y: 0 })
-    expect(actions.circle(3)).toMatchObject({ x: 5, y: 0, r: 0.5 })
+    expect(empty.actions.circles.fitted({ x: 1, y: 2 })).toEqual({ x: 1, y: 2, r: USUAL_RADIUS })
+    await actions.circles.addFitting({ x: 5, y: 0 })
+    expect(actions.circles.circle(3)).toMatchObject({ x: 5, y: 0, r: 0.5 })
   })
 
   it('is one step with the circles that are asked for meanwhile', async () => {
     const { actions, editing, fake } = await started()
     fake.ask = async () => {
-      await actions.open(async () => sceneOf(Float64Array.of(1, 1, 1)))
+      await actions.opening.open(async () => sceneOf(Float64Array.of(1, 1, 1)))
       return { x: 50, y: 50, r: 1 }
     }
     Object.assign(fake, { cancel: () => false })
-    await actions.addInRoom()
+    await actions.circles.addInRoom()
     expect(editing.circles.count, 'other circles were opened').toBe(1)
   })
 
@@ -143,8 +148,8 @@ describe('adding', () => {
     const { actions, circle, selection, fake } = await started()
     const aside = 200
     fake.camera = { x: 0, y: 0, scale: 0.1 }
-    actions.select([1, 0])
-    await actions.duplicateSelected()
+    actions.selection.select([1, 0])
+    await actions.circles.duplicateSelected()
     expect([circle(3), circle(4), selection()]).toEqual([
       [10 + aside, -aside, 2],
       [aside, -aside, 1],
@@ -155,14 +160,14 @@ describe('adding', () => {
   it('pasted circles are beside theirs, further each time, or in the middle of the picture', async () => {
     const { actions, circle, fake } = await started()
     const aside = 20
-    await actions.paste([{ x: 10, y: 0, r: 2 }], 2)
+    await actions.circles.paste([{ x: 10, y: 0, r: 2 }], 2)
     expect(circle(3)).toEqual([10 + 2 * aside, -2 * aside, 2])
     fake.camera = { x: 500, y: 600, scale: 10 }
     const pasted = [
       { x: -2, y: 0, r: 1 },
       { x: 2, y: 0, r: 1 },
     ]
-    await actions.paste(pasted, 1)
+    await actions.circles.paste(pasted, 1)
     expect([circle(4), circle(5)]).toEqual([
       [500, 598, 1],
       [504, 598, 1],
@@ -173,12 +178,12 @@ describe('adding', () => {
 describe('selected circles', () => {
   it('grow by a step, not below zero, and several by a factor about their middle', async () => {
     const { actions, circle } = await started()
-    actions.select([1])
-    actions.growSelected(-3, 9, actions.beginGesture())
+    actions.selection.select([1])
+    actions.circles.growSelected(-3, 9, actions.circles.beginGesture())
     await aTurn()
     expect(circle(1)).toEqual([10, 0, 0])
-    actions.select([0, 1])
-    actions.growSelected(9, 2, actions.beginGesture())
+    actions.selection.select([0, 1])
+    actions.circles.growSelected(9, 2, actions.circles.beginGesture())
     await aTurn()
     // The middle of their box is at 4.5, 0.
     expect([circle(0), circle(1), circle(2)]).toEqual([
@@ -192,64 +197,64 @@ describe('selected circles', () => {
     const { actions, editing, circle } = await started()
     const region = { type: 'Polygon', coordinates: [box(0, 0, 9, 9)], bbox: [0, 0, 9, 9] } as const
     const edit = { kind: 'replace', id: 0, circle: { x: 1, y: 1, r: 1 } } as const
-    await actions.setDomain({ region }, undefined, [edit])
+    await actions.circles.setDomain({ region }, undefined, [edit])
     expect(editing.domain.region).toEqual({ type: 'MultiPolygon', coordinates: [region.coordinates] })
-    await actions.setDomain({ areas: 'equal' })
+    await actions.circles.setDomain({ areas: 'equal' })
     expect([editing.domain.region !== undefined, editing.domain.areas]).toEqual([true, 'equal'])
-    await actions.undo()
-    await actions.undo()
+    await actions.circles.undo()
+    await actions.circles.undo()
     expect([editing.domain.region, circle(0)]).toEqual([undefined, [0, 0, 1]])
-    expect(() => actions.setDomain({ region: 5 as never })).toThrow()
+    expect(() => actions.circles.setDomain({ region: 5 as never })).toThrow()
   })
 
   it('snap to neighbors, or to the visible grid alone', async () => {
     const { actions, describe, fake } = await started()
-    actions.select([0])
+    actions.selection.select([0])
     describe({ neighbors: Int32Array.of(1, 9) })
     const near = { x: 6.9, y: 0, r: 1 }
-    expect(actions.snapped(near, 0.5, false)).toEqual({ x: 7, y: 0, r: 1 })
-    expect(actions.snapped(near, 0.05, false)).toEqual({ x: 6.9, y: 0, r: 1 })
-    expect(actions.snapped(near, 0.5, true)).toEqual({ x: 6.9, y: 0, r: expect.closeTo(1.1, 12) })
+    expect(actions.circles.snapped(near, 0.5, false)).toEqual({ x: 7, y: 0, r: 1 })
+    expect(actions.circles.snapped(near, 0.05, false)).toEqual({ x: 6.9, y: 0, r: 1 })
+    expect(actions.circles.snapped(near, 0.5, true)).toEqual({ x: 6.9, y: 0, r: expect.closeTo(1.1, 12) })
     fake.layers = { ...fake.layers, grid: true }
     fake.camera = { x: 0, y: 0, scale: 10 }
-    expect(actions.snapped({ x: 6.9, y: 0.4, r: 1 }, 0, false)).toEqual({ x: 6, y: 0, r: 1 })
+    expect(actions.circles.snapped({ x: 6.9, y: 0.4, r: 1 }, 0, false)).toEqual({ x: 6, y: 0, r: 1 })
   })
 })
 
 describe('undo and redo', () => {
   it('select the circles that come back, and show a single one', async () => {
     const { actions, selection, fake } = await started({ circles: [...THREE, 5000, 0, 1] })
-    actions.select([3])
-    await actions.removeSelected()
-    await actions.undo()
+    actions.selection.select([3])
+    await actions.circles.removeSelected()
+    await actions.circles.undo()
     expect([selection(), fake.camera]).toEqual([[3], { x: 5000, y: 0, scale: 1 }])
-    actions.select([0, 1])
-    await actions.removeSelected()
+    actions.selection.select([0, 1])
+    await actions.circles.removeSelected()
     fake.camera = { x: 700, y: 0, scale: 1 }
-    await actions.undo()
+    await actions.circles.undo()
     expect([selection(), fake.camera]).toEqual([[1, 0], { x: 700, y: 0, scale: 1 }])
-    await actions.redo()
+    await actions.circles.redo()
     expect(selection()).toEqual([])
   })
 })
 
 it('actions are pending until all of them are done', async () => {
   const { actions } = await started()
-  expect(actions.pending).toBeUndefined()
-  const [first, second] = [actions.add([{ x: 50, y: 50, r: 1 }]), actions.undo()]
+  expect(actions.circles.pending).toBeUndefined()
+  const [first, second] = [actions.circles.add([{ x: 50, y: 50, r: 1 }]), actions.circles.undo()]
   await first
-  expect(actions.pending).toBeDefined()
+  expect(actions.circles.pending).toBeDefined()
   await second
   await aTurn()
-  expect(actions.pending).toBeUndefined()
+  expect(actions.circles.pending).toBeUndefined()
 })
 
 it('a selection clears the former problem, unless it is the same, and shows no description of another circle', async () => {
   const { actions, describe, store } = await started()
   const isClear = (...ids: number[]) => {
     describe({})
-    actions.complain('wrong')
-    actions.select(ids)
+    actions.messages.complain('wrong')
+    actions.selection.select(ids)
     return [describedIn(store.get()) === undefined, store.get().problem === '']
   }
   expect(isClear(0)).toEqual([false, true])
@@ -262,30 +267,30 @@ describe('the camera', () => {
 
   it('zooms between limits: a twentieth of the whole, and ten million times', async () => {
     const { actions, camera } = await started()
-    const whole = camera(() => actions.fit()).scale
-    expect(camera(() => actions.zoom(1e-9, { x: 100, y: 50 })).scale).toBeCloseTo(whole / 20, 12)
-    expect(camera(() => actions.zoom(1e20, { x: 100, y: 50 })).scale / whole).toBeCloseTo(1e7, 0)
+    const whole = camera(() => actions.camera.fit()).scale
+    expect(camera(() => actions.camera.zoom(1e-9, { x: 100, y: 50 })).scale).toBeCloseTo(whole / 20, 12)
+    expect(camera(() => actions.camera.zoom(1e20, { x: 100, y: 50 })).scale / whole).toBeCloseTo(1e7, 0)
   })
 
   it('shows everything, and then what is not far outside', async () => {
     const many = Array.from({ length: 60 }, (_, k) => [k % 8, Math.floor(k / 8), 0.2]).flat()
     const { actions, camera } = await started({ circles: [...many, 1e6, 0, 1] })
-    const whole = camera(() => actions.fit())
-    expect(actions.isWhole).toBe(true)
-    const core = camera(() => actions.fit())
+    const whole = camera(() => actions.camera.fit())
+    expect(actions.camera.isWhole).toBe(true)
+    const core = camera(() => actions.camera.fit())
     expect(core.scale).toBeGreaterThan(1000 * whole.scale)
-    expect(actions.isWhole).toBe(false)
+    expect(actions.camera.isWhole).toBe(false)
     // Zooming in is limited by most circles, and zooming out by all.
-    expect(camera(() => actions.zoom(1e20, { x: 100, y: 50 })).scale / core.scale).toBeCloseTo(1e7, 0)
-    expect(camera(() => actions.fit())).toEqual(whole)
+    expect(camera(() => actions.camera.zoom(1e20, { x: 100, y: 50 })).scale / core.scale).toBeCloseTo(1e7, 0)
+    expect(camera(() => actions.camera.fit())).toEqual(whole)
   })
 
   it('shows a region in full', async () => {
     const { actions, editing, camera } = await started()
     await editing.edit([], editing.beginGesture(), { region: [box(-1000, -1000, 1000, 1000)] })
-    const whole = camera(() => actions.fit())
+    const whole = camera(() => actions.camera.fit())
     expect(whole.scale).toBeLessThan(0.1)
-    expect(camera(() => actions.fit())).toEqual(whole)
+    expect(camera(() => actions.camera.fit())).toEqual(whole)
   })
 
   it('zooms to the selected circles, which take a third of the free part, and to a point as to a new circle', async () => {
@@ -299,12 +304,12 @@ describe('the camera', () => {
         async (circles, scale) => {
           const flat = circles.flatMap(({ x, y, r }) => [x, y, r])
           await editing.open(sceneOf(Float64Array.of(...flat, 500, 500, 9)))
-          actions.select([])
+          actions.selection.select([])
           fake.camera = { x: 3, y: 4, scale }
-          actions.zoomToSelection()
+          actions.camera.zoomToSelection()
           expect(fake.camera, 'nothing is selected').toEqual({ x: 3, y: 4, scale })
-          actions.select([...circles.keys()])
-          actions.zoomToSelection()
+          actions.selection.select([...circles.keys()])
+          actions.camera.zoomToSelection()
           const ends = (axis: 'x' | 'y') => [
             Math.min(...circles.map((circle) => circle[axis] - circle.r)),
             Math.max(...circles.map((circle) => circle[axis] + circle.r)),
@@ -334,11 +339,11 @@ describe('the camera', () => {
       [0, -21, false],
     ] as const) {
       fake.camera = { x: 0, y: 0, scale: 1 }
-      await actions.add([{ x, y, r: 1 }])
-      actions.goTo(fake.circles.count - 1)
+      await actions.circles.add([{ x, y, r: 1 }])
+      actions.selection.goTo(fake.circles.count - 1)
       expect([x, y, fake.camera]).toEqual([x, y, isSeen ? { x: 0, y: 0, scale: 1 } : { x, y, scale: 1 }])
       fake.camera = { x: 0, y: 0, scale: 1 }
-      actions.reveal([
+      actions.camera.reveal([
         { x: 0, y: 0, r: 1 },
         { x, y, r: 1 },
       ])

@@ -2,8 +2,10 @@
 // A figure with its thread in the hands of a random user: afterwards it equals a new figure of the same circles, and its
 // history leads back to the start.
 // @vitest-environment happy-dom
+
 import fc from 'fast-check'
 import { beforeAll, expect, it } from 'vitest'
+import { showStep } from '../../web/editing/state.ts'
 import type { Figure } from '../../web/player/figure.ts'
 import { type Domain, NO_DOMAIN } from '../../web/view/domain.ts'
 import { action as actionOf } from './arbitrary-circles.ts'
@@ -105,17 +107,17 @@ async function act(figure: ReturnType<typeof newFigure>, action: Action): Promis
     case 'type': {
       const ids = [...editing.circles.ids()]
       const id = ids[action.which % ids.length]
-      if (id !== undefined) actions.set([{ id, circle: action.circle }])
+      if (id !== undefined) actions.circles.set([{ id, circle: action.circle }])
       break
     }
     case 'open':
-      done = actions.open(async () => ({ circles: action.circles.slice(), dataSet: '', isEdited: false }))
+      done = actions.opening.open(async () => ({ circles: action.circles.slice(), dataSet: '', isEdited: false }))
       break
     case 'domain':
-      done = actions.setDomain(action.domain)
+      done = actions.circles.setDomain(action.domain)
       break
     case 'play':
-      actions.showStep(action.step)
+      showStep(figure.store, action.step)
   }
   if (action.waits) {
     await done
@@ -158,7 +160,7 @@ async function play(script: readonly Action[]): Promise<void> {
     for (const action of script) await act(figure, action)
     // Edits that wait are made first.
     await figure.editing.edit([])
-    figure.actions.showStep(undefined)
+    showStep(figure.store, undefined)
     await quiet()
     const end = stateOf(figure)
     const { domain } = figure.editing
@@ -167,9 +169,9 @@ async function play(script: readonly Action[]): Promise<void> {
     expect(await contentOf(figure)).toEqual(await contentOf(other))
     const { store, actions } = figure
     const steps = store.get().history.done.length
-    while (store.get().history.done.length > 0) await actions.undo()
+    while (store.get().history.done.length > 0) await actions.circles.undo()
     expect(stateOf(figure)).toEqual(start)
-    for (let k = 0; k < steps; k++) await actions.redo()
+    for (let k = 0; k < steps; k++) await actions.circles.redo()
     expect(stateOf(figure)).toEqual(end)
   } finally {
     figure.dispose()

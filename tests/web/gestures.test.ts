@@ -3,7 +3,7 @@
 // the plane.
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { EditorActions } from '../../web/editing/editor-actions.ts'
+import { figureActions } from '../../web/editing/figure-actions.ts'
 import type { State } from '../../web/editing/state.ts'
 import { Figure } from '../../web/player/figure.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
@@ -64,7 +64,7 @@ async function opened({ circles = THREE, select, tool, layers, scrolls = false, 
     { figure: element, around: page, player: make('div'), said: make('p') },
     {
       scrolls,
-      actions: (...of) => new EditorActions(...of, () => NO_PADDING),
+      actions: (...of) => figureActions(...of, () => NO_PADDING),
       onoutcome() {},
       played: () => ({ method: 'touching-disc' }),
       keys: { showHelp: () => used.push('help'), editNumbers: () => used.push('numbers') },
@@ -75,10 +75,10 @@ async function opened({ circles = THREE, select, tool, layers, scrolls = false, 
   await figure.open({ circles: Float64Array.from(circles), dataSet: '', isEdited: false })
   view.setCamera(CAMERA)
   if (layers !== undefined) view.setLayers(layers)
-  if (rest.readonly) actions.isReadonly = true
-  if (rest.snaps) actions.toggleSnapping()
-  if (tool !== undefined) actions.useTool(tool)
-  if (select !== undefined) actions.select(select)
+  if (rest.readonly) actions.circles.isReadonly = true
+  if (rest.snaps) actions.tools.toggleSnapping()
+  if (tool !== undefined) actions.tools.useTool(tool)
+  if (select !== undefined) actions.selection.select(select)
   await quiet()
   const before = { ...store.get() }
 
@@ -252,7 +252,7 @@ a finger does not hover | - | move 10,0 touch | -
     const { figure, perform, different } = await opened()
     await perform('down 0,0; move 1,0; move 2,0; move 3,0; up 3,0')
     expect(figure.store.get().history.done).toHaveLength(1)
-    await figure.actions.undo()
+    await figure.actions.circles.undo()
     expect(different()).toBe('selection 0')
   })
 
@@ -264,7 +264,7 @@ a finger does not hover | - | move 10,0 touch | -
       seen.push(cursor())
     }
     for (const tool of ['add', 'pan'] as const) {
-      figure.actions.useTool(tool)
+      figure.actions.tools.useTool(tool)
       await act('move 5,5')
       seen.push(cursor())
     }

@@ -36,7 +36,7 @@ describe('a circle', () => {
     )
     await editing.open({ circles: THREE, dataSet: '', isEdited: false, attributes })
     expect(names()).toEqual(['1 8', '0 A'])
-    await actions.setName(2, 'C')
+    await actions.identity.setName(2, 'C')
     expect(names()).toEqual(['1 8', '2 C', '0 A'])
     expect(editing.attributes.columns.map(({ name }) => name)).toEqual(['Stadt', 'ID'])
   })
@@ -59,9 +59,9 @@ describe('a circle', () => {
   it('of a data set has its name in a link without writing all circles', async () => {
     const { editing, actions } = edited()
     await editing.open({ circles: THREE, dataSet: 'three', isEdited: false, attributes: namedAs(['A', '', 'C']) })
-    expect(actions.linkState()).toMatchObject({ dataSet: 'three' })
+    expect(actions.opening.linkState()).toMatchObject({ dataSet: 'three' })
     await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
-    expect(actions.linkState()).toMatchObject({ dataSet: 'three', edits: [{ kind: 'insert' }] })
+    expect(actions.opening.linkState()).toMatchObject({ dataSet: 'three', edits: [{ kind: 'insert' }] })
   })
 
   it('has a color only if it is one', () => {

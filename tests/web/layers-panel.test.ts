@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel of layers on the whole page: each control, and the layers that are drawn afterwards.
 // @vitest-environment happy-dom
+
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { uncoverPath } from '../../web/app/arrange.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { toPlane, toScreen } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS, type Layers, MOST_PAIRED, MOST_TRACED } from '../../web/view/layers.ts'
@@ -26,9 +28,11 @@ const expectLayers = (more: Partial<Layers>) => expect(layers()).toEqual({ ...DE
 it('the ends of a new path are in the part of the picture that no panel covers', async () => {
   const { view, actions } = page
   const covered = { top: 10, right: 300, bottom: 20, left: 400 }
-  Object.defineProperty(actions, 'paddingNow', { value: covered, configurable: true })
-  const { from, to } = actions.pathAcross()
-  Reflect.deleteProperty(actions, 'paddingNow')
+  const { camera } = actions
+  const free = camera.covered
+  camera.covered = () => covered
+  const { from, to } = actions.opening.pathAcross()
+  camera.covered = free
   for (const end of [from, to]) {
     const { x, y } = toScreen(view.camera, view.size, end)
     expect(x).toBeGreaterThan(covered.left)
@@ -41,22 +45,22 @@ it('the ends of a new path are in the part of the picture that no panel covers',
 it('an end of a path that a panel begins to cover moves to where it is seen, and no other end', async () => {
   const { view, actions } = page
   const at = (x: number, y = 0.5) => toPlane(view.camera, view.size, { x: x * SIZE.width, y: y * SIZE.height })
-  const before = actions.paddingNow
-  const cover = (left: number) =>
-    Object.defineProperty(actions, 'paddingNow', { value: { ...before, left }, configurable: true })
+  const { camera } = actions
+  const free = camera.covered
+  const before = camera.covered()
   const uncover = (from: Point, to: Point) => {
     view.setLayers({ path: { from, to } })
-    actions.uncoverPath(before)
+    uncoverPath(view, actions, before)
     return view.layers.path
   }
-  cover(0.5 * SIZE.width)
+  camera.covered = () => ({ ...before, left: 0.5 * SIZE.width })
   const moved = uncover(at(0.2), at(0.8))
-  const across = actions.pathAcross()
+  const across = actions.opening.pathAcross()
   const isLeft = uncover(at(0.9), at(0.45))
   // The first end is outside of the window, and the second one was covered before.
   const [outside, under] = [at(-0.2), at(0.3, 1 - (0.5 * before.bottom) / SIZE.height)]
   const kept = uncover(outside, under)
-  Reflect.deleteProperty(actions, 'paddingNow')
+  camera.covered = free
   expect(moved).toEqual({ from: across.from, to: at(0.8) })
   expect(isLeft).toEqual({ from: at(0.9), to: across.to })
   expect(kept).toEqual({ from: outside, to: under })
@@ -64,9 +68,9 @@ it('an end of a path that a panel begins to cover moves to where it is seen, and
 
 it('the ends of a new path are outside of circles where there is room', async () => {
   const { view, actions } = page
-  const { from, to } = actions.pathAcross()
+  const { from, to } = actions.opening.pathAcross()
   await page.open(Float64Array.of(from.x, from.y, 1, to.x, to.y, 1))
-  const ends = actions.pathAcross()
+  const ends = actions.opening.pathAcross()
   for (const end of [ends.from, ends.to]) expect(view.hitAt(end, 0)?.part).toBe('cell')
 })
 
@@ -106,11 +110,11 @@ describe('a switch of the panel of layers', () => {
       expectLayers({ grid })
       expect(page.store.get().isSnapping).toBe(grid)
     }
-    page.actions.toggleSnapping()
+    page.actions.tools.toggleSnapping()
     await pressed(panel, 'Axes and grid')
     expectLayers({ grid: true })
     expect(page.store.get().isSnapping, 'it was on before').toBe(true)
-    page.actions.toggleSnapping()
+    page.actions.tools.toggleSnapping()
   })
 })
 

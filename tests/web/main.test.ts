@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole page from its start: what it opens, saves and says.
 // @vitest-environment happy-dom
+
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { showStep } from '../../web/editing/state.ts'
 import { decodeLink } from '../../web/lib/link.ts'
 import { buttonOf, element, press, send, textOf } from './page-document.ts'
 import { box } from './shapes.ts'
@@ -67,7 +69,7 @@ describe('circles that move by themselves', () => {
     ['the button on the picture', () => stop().click(), false],
     ['Escape anywhere', () => send(buttonOf('files'), 'keydown', { key: 'Escape' }), false],
     ['undo, which brings them back', () => element('undo').click(), true],
-    ['a method that is played', () => page.actions.showStep(0), false],
+    ['a method that is played', () => showStep(page.store, 0), false],
   ])('are stopped by %s', async (_, act, areBack) => {
     await started()
     act()
@@ -77,7 +79,7 @@ describe('circles that move by themselves', () => {
     await quiet()
     expect([radii(), buttonOf('motion').ariaPressed]).toEqual([now, null])
     if (areBack) expect(now).toEqual([2, 3, 1, 2, 4])
-    page.actions.showStep(undefined)
+    showStep(page.store, undefined)
   })
 })
 
@@ -92,7 +94,7 @@ describe('what is said', () => {
     hearing.observe(element('said'), { childList: true })
     await page.open(FIVE)
     await soon(() => expect(heard).toEqual([expect.stringContaining('5 ')]))
-    for (let r = 1; r < 4; r++) await page.actions.edit([{ kind: 'replace', id: 3, circle: [10, 9, r] }])
+    for (let r = 1; r < 4; r++) await page.actions.circles.edit([{ kind: 'replace', id: 3, circle: [10, 9, r] }])
     await new Promise((resolve) => setTimeout(resolve, 400))
     hearing.disconnect()
     expect(heard).toHaveLength(1)
@@ -107,7 +109,7 @@ describe('what is said', () => {
     await page.open(Float64Array.of(0, 0, 9, 1, 0, 1, 30, 0, 1, 60, 0, 1))
     expect(numbers()).toEqual([4, 2, 4, 1])
     await page.open(FIVE)
-    await page.actions.setDomain({ region: [box(-9, -9, 30, 30)], areas: 'equal' })
+    await page.actions.circles.setDomain({ region: [box(-9, -9, 30, 30)], areas: 'equal' })
     await quiet()
     expect(status()).toMatch(/ \de-\d+ /)
   })

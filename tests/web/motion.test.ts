@@ -36,7 +36,7 @@ describe('an animation', () => {
     const session = pageSession({ size: { width: 200, height: 100 } })
     const { editing } = session
     await editing.open(sceneOf(Float64Array.from(circles)))
-    const motion = new Motion(editing, session.actions)
+    const motion = new Motion(session.store, editing, session.view, session.actions)
     const changes: boolean[] = []
     motion.onchange(() => changes.push(motion.isMoving))
     const radii = () => [...editing.circles.circles()].filter((_, k) => k % 3 === 2)
@@ -45,7 +45,7 @@ describe('an animation', () => {
 
   it('edits circles in each frame, tells its begin and its end, and is one step of undo', async () => {
     const { motion, changes, radii, actions, store, circles } = await started()
-    actions.select([0])
+    actions.selection.select([0])
     motion.start('grow')
     expect([motion.isMoving, changes, store.get().selection]).toEqual([true, [true], []])
     await show(1000)
@@ -58,9 +58,9 @@ describe('an animation', () => {
     const before = circles()
     await show(7000)
     expect([motion.isMoving, changes, circles()]).toEqual([false, [true, false], before])
-    await actions.undo()
+    await actions.circles.undo()
     expect(circles()).toEqual([0, 0, 1, 10, 0, 2])
-    await actions.undo()
+    await actions.circles.undo()
     expect(circles(), 'one step').toEqual([0, 0, 1, 10, 0, 2])
   })
 
@@ -80,7 +80,7 @@ describe('an animation', () => {
       ({ editing }) => editing.edit([{ kind: 'replace', id: 0, circle: [0, 0, 7] }]),
       [7, expect.any(Number)],
     ],
-    ['it is undone, and everything is as before', ({ actions }) => actions.undo(), [1, 2]],
+    ['it is undone, and everything is as before', ({ actions }) => actions.circles.undo(), [1, 2]],
   ])('ends where %s', async (_, act, expected) => {
     const session = await started()
     const { motion, radii } = session

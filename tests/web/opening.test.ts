@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole page opens one thing after another, and has a link of what it shows.
 // @vitest-environment happy-dom
+
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import type { OpenRequest } from '../../web/editing/open-request.ts'
+import { showStep } from '../../web/editing/state.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -21,15 +23,15 @@ const scene = (given: ArrayLike<number>, more: object = {}): OpenRequest => ({
   isEdited: false,
   ...more,
 })
-const open = (given: ArrayLike<number>, more: object = {}) => page.actions.open(async () => scene(given, more))
-const openLink = async (state: LinkInput) => page.actions.openLink(await encodeLink(state))
+const open = (given: ArrayLike<number>, more: object = {}) => page.actions.opening.open(async () => scene(given, more))
+const openLink = async (state: LinkInput) => page.actions.data.openLink(await encodeLink(state))
 
 beforeAll(async () => {
   page = await wholePage()
 })
 beforeEach(async () => {
   page.view.setLayers({ ...DEFAULT_LAYERS, path: undefined })
-  await page.actions.setDomain(NO_DOMAIN)
+  await page.actions.circles.setDomain(NO_DOMAIN)
   await page.open(FIVE)
 })
 
@@ -55,13 +57,13 @@ describe('what is opened', () => {
   })
 
   it('changes nothing where it is refused, not even what is looked at', async () => {
-    page.actions.select([1])
+    page.actions.selection.select([1])
     await quiet()
     const { camera } = page.view
     expect(await open([0, 0, -1])).toBe('refused')
     expect([circles(), page.view.camera, page.store.get().selection]).toEqual([[...FIVE], camera, [1]])
     expect(problem()).toMatch(/Circle 0 .*radius/)
-    const [late, next] = [page.actions.open(() => Promise.reject(new Error('late'))), open(THREE)]
+    const [late, next] = [page.actions.opening.open(() => Promise.reject(new Error('late'))), open(THREE)]
     expect([await late, await next, problem()]).toEqual(['superseded', 'opened', ''])
   })
 
@@ -83,25 +85,25 @@ describe('what is opened', () => {
 
   it('is superseded at once by what is opened after it, or canceled, though it is never loaded', async () => {
     const never = () => new Promise<OpenRequest>(() => {})
-    page.actions.complain('It could not be opened.')
-    const first = page.actions.open(never)
+    page.actions.messages.complain('It could not be opened.')
+    const first = page.actions.opening.open(never)
     expect(problem()).toBe('')
     expect([await open(THREE), await first]).toEqual(['opened', 'superseded'])
-    const third = page.actions.open(never)
-    page.actions.cancelOpening()
+    const third = page.actions.opening.open(never)
+    page.actions.data.cancel()
     expect([await third, circles()]).toEqual(['superseded', [...THREE]])
   })
 
   it('ends the selection, the tool and the problem, and shows the method from its first step', async () => {
-    page.actions.select([1, 2])
-    page.actions.useTool('add')
-    page.actions.complain('wrong')
-    page.actions.showStep(5, 'auto')
+    page.actions.selection.select([1, 2])
+    page.actions.tools.useTool('add')
+    page.actions.messages.complain('wrong')
+    showStep(page.store, 5, 'auto')
     await open(THREE)
     expect(page.store.get()).toMatchObject({ selection: [], tool: 'select', problem: '', step: 0, method: 'auto' })
     await open(THREE, { step: 3, method: 'touching-disc' })
     await soon(() => expect(page.store.get()).toMatchObject({ step: 3, method: 'touching-disc' }))
-    page.actions.showStep(undefined)
+    showStep(page.store, undefined)
     await open(THREE)
     expect(page.store.get().step).toBeUndefined()
   })
@@ -117,10 +119,10 @@ describe('a link that is opened', () => {
       { colors: '012', dataSet: '', isEdited: false },
     ])
     expect(page.store.get()).toMatchObject({ step: 4, method: 'auto' })
-    page.actions.showStep(undefined)
+    showStep(page.store, undefined)
     await openLink({ circles: THREE, lattice: LATTICE })
     expect(page.editing.domain).toMatchObject({ lattice: LATTICE, region: undefined })
-    expect(await page.actions.openLink('v1.none')).toBe('refused')
+    expect(await page.actions.data.openLink('v1.none')).toBe('refused')
   })
 
   it.each([
@@ -137,9 +139,9 @@ describe('a link that is opened', () => {
   it('keeps its title and question until a link without one', async () => {
     const frame = { title: 'T', question: 'Q?' }
     await openLink({ circles: THREE, ...frame })
-    expect(page.actions.frame).toEqual(frame)
+    expect(page.actions.data.frame).toEqual(frame)
     await openLink({ circles: THREE })
-    expect(page.actions.frame).toBeUndefined()
+    expect(page.actions.data.frame).toBeUndefined()
   })
 
   it('colors cells by its column', async () => {
@@ -149,34 +151,34 @@ describe('a link that is opened', () => {
     await page.editing.setValues('n', new Map([[0, '6']]))
     await quiet()
     expect(page.view.layers.column?.values[0]).toBe(6)
-    page.actions.colorBy('none')
+    page.actions.coloring.colorBy('none')
     expect(page.view.layers.column).toBeUndefined()
   })
 })
 
 describe('the link of what is shown', () => {
-  const link = () => page.actions.linkState()
+  const link = () => page.actions.opening.linkState()
   const keys = () => Object.keys(link() ?? {})
 
   it('is the name of a data set with what was edited, or the circles', async () => {
-    await page.actions.load('spruces')
+    await page.actions.data.load('spruces')
     expect(link()).toEqual({ dataSet: 'spruces' })
     const circle = { x: 1, y: 1, r: 1 }
     await page.editing.edit([{ kind: 'replace', id: 0, circle }])
     expect(link()).toMatchObject({ dataSet: 'spruces', edits: [{ kind: 'replace', id: 0, circle }] })
-    await page.actions.setName(1, 'A')
+    await page.actions.identity.setName(1, 'A')
     expect(keys()).toEqual(expect.arrayContaining(['circles', 'attributes']))
     await open(THREE)
     expect(link()).toEqual({ circles: THREE })
   })
 
   it.each<[string, () => unknown, readonly string[]]>([
-    ['the viewport', () => page.actions.look({ x: 7, y: 1, span: 3 }), ['view']],
+    ['the viewport', () => page.actions.camera.look({ x: 7, y: 1, span: 3 }), ['view']],
     ['layers', () => page.view.setLayers({ hull: true }), ['layers']],
-    ['a step', () => page.actions.showStep(0, 'auto'), ['step', 'method']],
-    ['periods', () => page.actions.setLattice(LATTICE), ['lattice']],
-    ['a region', () => page.actions.setDomain({ region: REGION }), ['region']],
-    ['areas', () => page.actions.setDomain({ region: REGION, areas: [1, 2, 3] }), ['region', 'areas']],
+    ['a step', () => showStep(page.store, 0, 'auto'), ['step', 'method']],
+    ['periods', () => page.actions.domain.setLattice(LATTICE), ['lattice']],
+    ['a region', () => page.actions.circles.setDomain({ region: REGION }), ['region']],
+    ['areas', () => page.actions.circles.setDomain({ region: REGION, areas: [1, 2, 3] }), ['region', 'areas']],
   ])('has %s where that differs from what is usual', async (_, change, names) => {
     await open(THREE)
     await change()
@@ -184,6 +186,6 @@ describe('the link of what is shown', () => {
     expect(
       keys().filter((name) => !['circles', 'colors'].includes(name) && (name !== 'view' || names.includes(name))),
     ).toEqual(names)
-    page.actions.showStep(undefined)
+    showStep(page.store, undefined)
   })
 })

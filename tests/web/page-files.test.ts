@@ -56,9 +56,9 @@ describe('saving', () => {
       return [name, JSON.parse(text).features.length, toast()]
     }
     const all = [await saved()]
-    await page.actions.setDomain({ region: [box(-9, -9, 30, 30)] })
+    await page.actions.circles.setDomain({ region: [box(-9, -9, 30, 30)] })
     all.push(await saved())
-    await page.actions.repeat()
+    await page.actions.domain.repeat()
     all.push(await saved())
     expect(all.map(([name, count]) => [name, count])).toEqual(Array(3).fill(['circles-cells.geojson', 5]))
     expect(new Set(all.map(([, , said]) => said)).size).toBe(3)
@@ -187,8 +187,8 @@ describe('points and polygons of one file', () => {
     await open(saved.text, 'again.geojson')
     await soon(() => expect(page.editing.scene?.file).toBe('again.geojson'))
     expect([circles(), corners()]).toEqual([[1, 1, 1, 4, 4, 1], expect.any(Number)])
-    await page.actions.undo()
-    await page.actions.undo()
+    await page.actions.circles.undo()
+    await page.actions.circles.undo()
     expect([circles(), page.editing.domain.region]).toEqual([[...FIVE], undefined])
   })
 
@@ -228,7 +228,7 @@ describe('a pasted table', () => {
     expect(nameIn(page.editing.attributes, 0)).toBe('Aa')
     expect(page.editing.attributes.columns.map(({ name }) => name)).toEqual(['name', 'n'])
     expect(valueIn(page.editing.attributes, 'n', 6)).toBe('8')
-    await page.actions.undo()
+    await page.actions.circles.undo()
     expect([page.editing.circles.count, page.editing.attributes.columns.length]).toEqual([5, 1])
   })
 })
@@ -242,32 +242,32 @@ describe('saved data', () => {
   it('has the name of the file and its headings, also after an edit and undo', async () => {
     await open('Longitude;Latitude;Radius;Ort\n1;2;3;Ulm\n9;2;1;Bonn\n', 'my places.v2.csv')
     await soon(() => expect(circles()).toEqual([1, 2, 3, 9, 2, 1]))
-    await page.actions.edit([{ kind: 'remove', id: 0 }])
+    await page.actions.circles.edit([{ kind: 'remove', id: 0 }])
     const { name, text } = await saved('CSV')
     expect([name, text]).toEqual(['my places.v2.csv', 'Longitude,Latitude,Radius,Ort\n9,2,1,Bonn\n'])
     expect((await saved('SVG')).name).toBe('my places.v2.svg')
-    await page.actions.undo()
-    await page.actions.undo()
+    await page.actions.circles.undo()
+    await page.actions.circles.undo()
     expect((await saved('CSV')).text).toMatch(/^x,y,r,name\n/)
   })
 
   it('has its headings after a reload, too', async () => {
     await open('Longitude;Latitude;Radius;Ort\n1;2;3;Ulm\n9;2;1;Bonn\n', 'places.csv')
     await soon(() => expect(circles()).toEqual([1, 2, 3, 9, 2, 1]))
-    await page.actions.edit([{ kind: 'remove', id: 0 }])
-    const link = await encodeLink(page.actions.linkState() as LinkInput)
+    await page.actions.circles.edit([{ kind: 'remove', id: 0 }])
+    const link = await encodeLink(page.actions.opening.linkState() as LinkInput)
     await page.open(FIVE)
     expect((await saved('CSV')).text).toMatch(/^x,y,r\n/)
     // The page opens the link of its address.
-    await page.actions.openLink(link)
+    await page.actions.data.openLink(link)
     expect((await saved('CSV')).text).toBe('Longitude,Latitude,Radius,Ort\n9,2,1,Bonn\n')
   })
 
   it('says that r has weights if areas were given', async () => {
     await saved('CSV')
     expect(toast()).toBe('')
-    await page.actions.setDomain({ region: [box(-9, -9, 30, 30)] })
-    await page.actions.setAreas('equal')
+    await page.actions.circles.setDomain({ region: [box(-9, -9, 30, 30)] })
+    await page.actions.domain.setAreas('equal')
     await saved('CSV')
     await soon(() => expect(toast()).toContain('weights'))
   })

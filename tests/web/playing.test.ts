@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The player of the method in a figure with its thread: playing, asking, jumping, and circles that change.
 // @vitest-environment happy-dom
+
 import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { ProblemWords } from '../../web/editing/problem.ts'
+import { showStep } from '../../web/editing/state.ts'
 import { Diagram, Trace } from '../../web/lib/index.ts'
 import { testedAt } from '../../web/player/discs.ts'
 import { sentenceOf } from '../../web/player/sentences.ts'
@@ -44,7 +46,7 @@ async function choose(name: string, value: string) {
   await quiet()
 }
 async function go(to: number | undefined) {
-  figure.actions.showStep(to)
+  showStep(figure.store, to)
   await quiet()
 }
 /** Waits for the trace after a change of the circles. */
@@ -172,7 +174,7 @@ describe('the player', () => {
     const { events, steps } = played()
     await go(4)
     await press(WORDS.breakHere)
-    figure.actions.select([3])
+    figure.actions.selection.select([3])
     await quiet()
     const holds: Record<string, (step: Step, k: number) => boolean> = {
       breakpoint: (_, k) => k === 4,
@@ -196,7 +198,7 @@ describe('the player', () => {
       expect(seen.length, goal).toBeLessThan(2)
     }
     await choose(WORDS.goal, 'selected')
-    figure.actions.select([])
+    figure.actions.selection.select([])
     await quiet()
     expect(isEnabled(WORDS.next)).toBe(false)
     await choose(WORDS.goal, 'stage')
@@ -281,8 +283,8 @@ describe('a player that is closed', () => {
 
   it.each(['closed', 'disposed of'])('or that was %s while it loaded is no problem', async (how) => {
     await go(undefined)
-    figure.actions.showStep(2)
-    if (how === 'closed') figure.actions.showStep(undefined)
+    showStep(figure.store, 2)
+    if (how === 'closed') showStep(figure.store, undefined)
     else figure.dispose()
     await quiet()
     expect([problems, controls(root()).size]).toEqual([[], 0])

@@ -27,7 +27,7 @@ beforeAll(async () => {
 beforeEach(() => page.open(FIVE))
 
 async function setRegion() {
-  await page.actions.setDomain({ region: [SQUARE] })
+  await page.actions.circles.setDomain({ region: [SQUARE] })
   await quiet()
 }
 
@@ -48,7 +48,7 @@ describe('areas', () => {
     expect(textOf(element('areas-said'))).toMatch(/Largest error of an area: \de-\d+\.$/)
     await entered(panel, AREAS, 'free')
     expect([chosenOf(control(panel, AREAS)), radii()]).toEqual(['not fixed', [2, 3, 1, 2, 4]])
-    await page.actions.undo()
+    await page.actions.circles.undo()
     await quiet()
     expect(chosenOf(control(panel, AREAS)), 'the choice is known again').toBe(label)
   })
@@ -56,7 +56,7 @@ describe('areas', () => {
   it('leave no radii of circles that were opened before', async () => {
     await setRegion()
     await entered(panel, AREAS, 'equal')
-    await page.actions.open(async () => ({
+    await page.actions.opening.open(async () => ({
       circles: Float64Array.of(0, 0, 7, 20, 9, 8),
       dataSet: '',
       isEdited: false,
@@ -66,8 +66,8 @@ describe('areas', () => {
     const fitted = [page.circle(0)?.r, page.circle(1)?.r]
     await entered(panel, AREAS, 'free')
     expect([page.circle(0)?.r, page.circle(1)?.r]).toEqual(fitted)
-    await page.actions.undo()
-    await page.actions.undo()
+    await page.actions.circles.undo()
+    await page.actions.circles.undo()
     await quiet()
     await entered(panel, AREAS, 'free')
     expect(radii()).toEqual([2, 3, 1, 2, 4])
@@ -80,8 +80,8 @@ describe('the share of the selected cell', () => {
 
   it('is a number in percent, or a slider in powers of two of the mean, which is one step of undo', async () => {
     await setRegion()
-    await page.actions.setAreas('equal')
-    page.actions.select([3])
+    await page.actions.domain.setAreas('equal')
+    page.actions.selection.select([3])
     await quiet()
     const share = async () => ((await areasOf(page.view, 5))[3] as number) / 1600
     await entered(place(), NUMBER, '12')

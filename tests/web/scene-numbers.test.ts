@@ -59,7 +59,7 @@ describe('circles that are opened are not changed by', () => {
       new Promise((resolve) => {
         answer = () => resolve(undefined)
       })
-    const added = actions.addInRoom()
+    const added = actions.circles.addInRoom()
     await editing.open(sceneOf(OPENED))
     answer()
     await added

@@ -58,7 +58,7 @@ describe('the panel Share', () => {
       stop() {}
     }
     Object.assign(globalThis, { MediaRecorder: Recorder })
-    await page.actions.edit([{ kind: 'replace', id: 0, circle: [0, 0, 1] }])
+    await page.actions.circles.edit([{ kind: 'replace', id: 0, circle: [0, 0, 1] }])
     const { done } = page.store.get().history
     await pressed(panel, 'Record a video')
     await soon(() => expect(control(panel, 'Record a video').disabled).toBe(false))
@@ -84,7 +84,7 @@ describe('the form for a question', () => {
 
   beforeEach(async () => {
     if (controls(panel).has('Question')) await toggle()
-    page.actions.select([3])
+    page.actions.selection.select([3])
     await quiet()
     await toggle()
     for (const label of ['Question', 'Title', 'Description for screen readers']) await entered(panel, label, '')
@@ -99,7 +99,7 @@ describe('the form for a question', () => {
     await pressed(panel, 'Remove condition 1')
     expect(now()).toEqual(['Without a condition, the frame shows the text alone.', 'quiet'])
     expect(await frameNow()).toEqual({})
-    page.actions.select([])
+    page.actions.selection.select([])
     await quiet()
     await toggle()
     expect(element('make-question').hidden).toBe(true)
@@ -114,18 +114,18 @@ describe('the form for a question', () => {
     await pressed(panel, choose)
     expect(control(panel, choose).ariaPressed).toBe('true')
     expect(page.store.get().selection).toEqual([])
-    page.actions.select([2])
+    page.actions.selection.select([2])
     await quiet()
     expect(control(panel, 'Circle of condition 1').value).toBe('2')
     expect(control(panel, choose).ariaPressed).toBe('false')
     expect(rings()).toEqual([expect.stringMatching(/^2\d edges$/)])
     // The next click selects as usual.
-    page.actions.select([1])
+    page.actions.selection.select([1])
     await quiet()
     expect(control(panel, 'Circle of condition 1').value).toBe('2')
     await pressed(panel, choose)
     await pressed(panel, choose)
-    page.actions.select([0])
+    page.actions.selection.select([0])
     await quiet()
     expect(control(panel, 'Circle of condition 1').value).toBe('2')
     await toggle()
@@ -134,7 +134,7 @@ describe('the form for a question', () => {
   })
 
   it('asks for circles by the numbers that the frame gives them', async () => {
-    await page.actions.edit([{ kind: 'remove', id: 1 }])
+    await page.actions.circles.edit([{ kind: 'remove', id: 1 }])
     await quiet()
     expect(await frameNow()).toMatchObject({
       question: 'Move the circles until the cell of circle 2 has 3 edges.',

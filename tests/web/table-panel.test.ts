@@ -138,12 +138,12 @@ describe('the cells of the table of circles', () => {
 
 it('a name of any length is in the link, or refused in one sentence', async () => {
   const kept = async () => attributesOfLink(await decodeLink(await linkNow()), 4)?.columns[0]?.values[1]
-  const linkNow = () => new LinkWriter(new FilesClient()).linkOf(page.actions.linkState() as LinkInput)
+  const linkNow = () => new LinkWriter(new FilesClient()).linkOf(page.actions.opening.linkState() as LinkInput)
   const letter = fc.string({ unit: 'grapheme', minLength: 1, maxLength: 5 }).filter((text) => text.trim() === text)
   await fc.assert(
     fc.asyncProperty(letter, fc.constantFrom(1, 9, 200, 900, 5000, 20_000), async (letters, times) => {
       const [before, text] = [valueIn(page.editing.attributes, 'name', 1), letters.repeat(times)]
-      page.actions.complain('')
+      page.actions.messages.complain('')
       await edit(1, 'name')
       await write(text)
       if (problem() !== '') {
@@ -159,9 +159,9 @@ it('a name of any length is in the link, or refused in one sentence', async () =
 
 it('measures are there again after a question that was refused', async () => {
   const asking = vi.spyOn(page.view, 'ask').mockRejectedValueOnce(new Error('refused'))
-  await page.actions.edit([{ kind: 'replace', id: 0, circle: [0, 8, 1] }])
+  await page.actions.circles.edit([{ kind: 'replace', id: 0, circle: [0, 8, 1] }])
   await quiet()
-  await page.actions.edit([{ kind: 'remove', id: 3 }])
+  await page.actions.circles.edit([{ kind: 'remove', id: 3 }])
   await soon(() => expect(texts('nbrs')).toEqual(['2', '2', '2']))
   asking.mockRestore()
 })
@@ -249,7 +249,7 @@ describe('clicks in the table', () => {
   })
 
   it('choose all rows since the circle that was selected last, also in the picture', async () => {
-    page.actions.select([1])
+    page.actions.selection.select([1])
     await quiet()
     await click(cell(3, 'n'), { shiftKey: true })
     expect(selection()).toEqual([1, 2, 3])
@@ -257,14 +257,14 @@ describe('clicks in the table', () => {
 
   it('are not needed where a circle is selected elsewhere, which becomes the current row', async () => {
     await click(cell(0, 'x'))
-    page.actions.select([2])
+    page.actions.selection.select([2])
     await quiet()
     expect(current()).toBe('2 x')
-    page.actions.select([0, 1])
+    page.actions.selection.select([0, 1])
     await quiet()
     expect(current()).toBe('2 x')
     await edit(1, 'y')
-    page.actions.select([3])
+    page.actions.selection.select([3])
     await quiet()
     expect([input()?.parentElement, current()]).toEqual([cell(1, 'y'), '1 y'])
     await key('Escape')
@@ -325,7 +325,7 @@ describe('a text that is pasted into the table', () => {
   it('goes into a column of texts line by line, as one step', async () => {
     await pasteAt(1, 'name', 'Kiel\tX\r\nBonn\r\n')
     expect(texts('name')).toEqual(['b 10', 'Kiel\tX', 'Bonn', 'a'].map((name) => name.replace('\t', ' ')))
-    await page.actions.undo()
+    await page.actions.circles.undo()
     await quiet()
     expect(texts('name')).toEqual(['b 10', 'b 9', '', 'a'])
     await pasteAt(3, 'name', 'Kiel\nBonn')

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A figure with its thread and its player, without the page around it.
-import { EditorActions } from '../../web/editing/editor-actions.ts'
+import { type FigureActions, figureActions } from '../../web/editing/figure-actions.ts'
 import { Figure, type FigureOptions } from '../../web/player/figure.ts'
 import { NO_PADDING } from '../../web/view/camera.ts'
 import { make, measure } from './page-document.ts'
 
 export const FIGURE_SIZE = { width: 400, height: 300 }
 
-export function newFigure(more: Partial<FigureOptions<EditorActions>> = {}) {
+export function newFigure(more: Partial<FigureOptions<FigureActions>> = {}) {
   const element = document.body.appendChild(make('div', { tabIndex: 0 }))
   measure(element, { clientWidth: FIGURE_SIZE.width, clientHeight: FIGURE_SIZE.height })
   const [player, said] = [make('div'), make('p')]
@@ -15,7 +15,7 @@ export function newFigure(more: Partial<FigureOptions<EditorActions>> = {}) {
   const figure = new Figure(
     { figure: element, around: element, player, said },
     {
-      actions: (store, editing, view) => new EditorActions(store, editing, view, () => NO_PADDING),
+      actions: (store, editing, view) => figureActions(store, editing, view, () => NO_PADDING),
       onoutcome() {},
       played: (method) => ({ method: method === 'auto' ? 'auto' : 'touching-disc' }),
       ...more,

@@ -2,12 +2,8 @@
 // The whole page with its threads, without a browser. Nothing of the project is replaced, and canvases have no pixels.
 import { readFile } from 'node:fs/promises'
 import { afterAll, expect, vi } from 'vitest'
-import type { PageActions } from '../../web/app/page-actions.ts'
 import type { Attributes } from '../../web/editing/attributes.ts'
-import type { Editing } from '../../web/editing/editing.ts'
-import type { State } from '../../web/editing/state.ts'
 import { encodeLink, type LinkInput } from '../../web/lib/link.ts'
-import type { Store } from '../../web/view/store.ts'
 import type { View } from '../../web/view/view.ts'
 import { Canvas, contextOfElement, Path } from './page-canvas.ts'
 import { buttonOf, control, controls, element, measure, openPage, send } from './page-document.ts'
@@ -102,17 +98,13 @@ export async function wholePage(link: LinkInput | string = { circles: FIVE }) {
   const { media } = surround()
   const hash = typeof link === 'string' ? link : await encodeLink(link)
   history.replaceState(null, '', hash === '' ? location.pathname : `#${hash}`)
-  const { PageActions } = await import('../../web/app/page-actions.ts')
-  const opened = vi.spyOn(PageActions.prototype, 'open')
-  await import('../../web/app/main.ts')
-  const actions = opened.mock.contexts[0] as unknown as PageActions & Parts
-  opened.mockRestore()
-  const { store, editing, view } = actions
+  const { figure } = await import('../../web/app/main.ts')
+  const { store, editing, view, actions } = figure
   shown = view
   /** Opens circles with columns of a file. */
   const open = async (circles: Float64Array<ArrayBuffer>, columns: Attributes['columns'] = []) => {
     const attributes = { columns, ids: [], heights: [], collection: '' }
-    const how = await actions.open(async () => ({ circles, dataSet: '', isEdited: false, attributes }))
+    const how = await actions.opening.open(async () => ({ circles, dataSet: '', isEdited: false, attributes }))
     expect([how, store.get().problem]).toEqual(['opened', ''])
     await quiet()
   }
@@ -125,11 +117,4 @@ export async function wholePage(link: LinkInput | string = { circles: FIVE }) {
   }
   const circle = (id: number) => editing.circles.get(id)
   return { media, actions, store, editing, view, open, panel, circle }
-}
-
-/** The parts of the page, which its actions keep for themselves. */
-interface Parts {
-  readonly store: Store<State>
-  readonly editing: Editing
-  readonly view: View
 }

@@ -14,7 +14,7 @@ import { LinkWriter } from './link-writer.ts'
 import { NOT_LOADED } from './not-loaded.ts'
 import { workOffline } from './offline.ts'
 import { paddingOfPage } from './padding.ts'
-import { PageActions } from './page-actions.ts'
+import { pageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
 import { mountLegend } from './panels/legend.ts'
 import { mountMethod } from './panels/method.ts'
@@ -48,7 +48,7 @@ const files = new FilesClient()
 const reader = new FilesClient()
 let hasShown = false
 let steps = 0
-const figure = new Figure(
+export const figure = new Figure(
   {
     figure: byId('figure', HTMLElement),
     around: document,
@@ -56,18 +56,18 @@ const figure = new Figure(
     said: byId('said', HTMLParagraphElement),
   },
   {
-    actions: (store, editing, view) => new PageActions(store, editing, view, paddingOfPage, reader),
+    actions: (store, editing, view) => pageActions(store, editing, view, paddingOfPage, reader),
     keys: {
       editNumbers: async () => (await cards().catch(() => complain(NOT_LOADED)))?.(),
       showHelp: () => showHelp(),
-      drawRegion: () => actions.useTool('draw'),
+      drawRegion: () => actions.tools.useTool('draw'),
     },
     played: (kept) => played(kept),
     onstep: (_, all) => {
       steps = all
     },
     onoutcome: (outcome) => {
-      actions.follow(outcome)
+      actions.coloring.follow(outcome)
       // The initial data set is not saved.
       if (hasShown) keeping.changed()
       hasShown = true
@@ -75,10 +75,10 @@ const figure = new Figure(
   },
 )
 const { view, store, editing, actions } = figure
-const complain = (problem: string) => actions.complain(problem)
+const complain = (problem: string) => actions.messages.complain(problem)
 
 const links = new LinkWriter(files)
-const keeping = new StatePersistence(links, () => actions.linkState())
+const keeping = new StatePersistence(links, () => actions.opening.linkState())
 view.on('layers', () => keeping.changed())
 
 const openFile = async (file: File) => {
@@ -91,7 +91,7 @@ const gallery = loadedOnce(async () => {
 })
 panelLater('generate', complain, gallery)
 mountToolbar(store, actions, async () => (await gallery().catch(() => complain(NOT_LOADED)))?.())
-mountTrial(view, actions)
+mountTrial(view, actions.messages)
 mountViewControls(actions)
 mountStatus(store, view)
 mountProgress(actions)
@@ -105,7 +105,7 @@ const photoBar = loadedOnce(async () => {
   mountPhoto(store, actions, await fileActions(), await motion())
 })
 store.subscribe(({ attributes }) => {
-  if (actions.photos.has(attributes)) photoBar().catch(() => complain(NOT_LOADED))
+  if (actions.coloring.photos.has(attributes)) photoBar().catch(() => complain(NOT_LOADED))
 })
 const degreesNotice = loadedOnce(async () => {
   const { mountDegrees } = await import('./panels/degrees.ts')
@@ -117,10 +117,10 @@ store.subscribe(({ scene }) => {
 mountSay(store, openFile)
 const motion = loadedOnce(async () => {
   const { stoppableMotion } = await import('./motion/stop.ts')
-  return stoppableMotion(editing, actions, store)
+  return stoppableMotion(store, editing, view, actions)
 })
 const pen = new RegionPen(store, actions, view)
-actions.pen = pen
+actions.tools.pen = pen
 // Handles copied circles before the listener for files sees them.
 listenToClipboard(actions)
 listenToFiles(fileActions, complain)
@@ -153,7 +153,7 @@ listenToMenu(
   () => view.selected,
   async (at) => (await menu().catch(() => complain(NOT_LOADED)))?.(at),
 )
-const played = mountMethod(store, actions)
+const played = mountMethod(store)
 mountScale(view)
 mountNames(store, editing)
 panelLater('table', complain, async () => (await import('./panels/table.ts')).mountTable(store, editing, actions, view))
@@ -178,19 +178,19 @@ panelLater('region', complain, async () => {
 
 const kept = await keeping.begin()
 // The user may have opened something else by now.
-const open = () => (kept === undefined ? 'refused' : actions.openLink(kept))
-const begun = actions.hasOpened ? 'superseded' : await open()
+const open = () => (kept === undefined ? 'refused' : actions.data.openLink(kept))
+const begun = actions.opening.hasOpened ? 'superseded' : await open()
 if (begun === 'refused') {
   const { problem } = store.get()
   // The user may have opened something else by now, which must not be replaced.
   const [how, drift] = await Promise.all([
-    actions.load((DATA_SETS[0] as DataSet).id),
+    actions.data.load((DATA_SETS[0] as DataSet).id),
     // The circles stay where they are if this fails.
     import('./motion/drift.ts').catch(() => undefined),
   ])
   if (how === 'opened') {
     // The problem of the link that these circles replace.
-    actions.complain(problem)
+    actions.messages.complain(problem)
     // Panels show the numbers of a selected circle, which has moved.
     drift?.driftAtStart(view, byId('figure', HTMLElement), () => store.update((state) => ({ ...state })))
   }
@@ -224,7 +224,7 @@ const openAddress = async () => {
   addresses += 1
   const turn = addresses
   const { hash } = location
-  const how = hash === '' ? 'opened' : await actions.openLink(hash)
+  const how = hash === '' ? 'opened' : await actions.data.openLink(hash)
   // The same address may have been requested again.
   if (turn === addresses) keeping.wasOpened(hash, how === 'opened')
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { EditorActions, Pen } from '../editing/editor-actions.ts'
+
 import { ARROWS } from '../editing/keyboard.ts'
 import type { State } from '../editing/state.ts'
+import type { Pen } from '../editing/tools.ts'
 import type { Point } from '../lib/index.ts'
 import { isDissolved, type RegionShape } from '../lib/regions/region-shape.ts'
 import { ringsOf } from '../view/domain.ts'
 import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
+import type { PageActions } from './page-actions.ts'
 
 /**
  * Draws a polygon, corner by corner, with the tool `draw`. The closed polygon becomes part of the region: a hole if it
@@ -15,13 +17,13 @@ import type { View } from '../view/view.ts'
  */
 export class RegionPen implements Pen {
   readonly #store: Store<State>
-  readonly #actions: EditorActions
+  readonly #actions: PageActions
   readonly #view: View
   #corners: Point[] = []
   /** The place of the next corner. */
   #next: Point | undefined
 
-  constructor(store: Store<State>, actions: EditorActions, view: View) {
+  constructor(store: Store<State>, actions: PageActions, view: View) {
     this.#store = store
     this.#actions = actions
     this.#view = view
@@ -60,13 +62,13 @@ export class RegionPen implements Pen {
   /** Adds the polygon to the region. */
   async close(): Promise<void> {
     if (this.#corners.length < 3) {
-      this.#actions.complain('A polygon needs three corners or more.')
+      this.#actions.messages.complain('A polygon needs three corners or more.')
       return
     }
     const ring = this.#corners.map(({ x, y }) => [x, y] as const)
     const { region } = this.#store.get().domain
-    const edited = await this.#actions.setDomain({ region: withRing(region, ring) })
-    if (edited !== undefined) this.#actions.useTool('select')
+    const edited = await this.#actions.domain.setDomain({ region: withRing(region, ring) })
+    if (edited !== undefined) this.#actions.tools.useTool('select')
   }
 
   move(point: Point): void {

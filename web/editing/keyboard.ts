@@ -3,7 +3,7 @@
 import { roundStep } from '../view/round-step.ts'
 import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
-import type { EditorActions } from './editor-actions.ts'
+import { type FigureActions, release } from './figure-actions.ts'
 import type { State } from './state.ts'
 
 /** Step of an arrow key in pixels. Shift enlarges it, Alt reduces it. */
@@ -43,7 +43,7 @@ export function listenToKeyboard(
   figure: HTMLElement,
   view: View,
   store: Store<State>,
-  actions: EditorActions,
+  actions: FigureActions,
   { editNumbers, showHelp, drawRegion }: KeyActions,
   { around, signal }: KeyboardOptions,
 ): void {
@@ -52,10 +52,10 @@ export function listenToKeyboard(
 
   const letters: { readonly [key: string]: (() => void) | undefined } = {
     '?': showHelp,
-    v: () => actions.useTool('select'),
-    h: () => actions.useTool('pan'),
-    a: () => actions.useTool('add'),
-    s: () => actions.toggleSnapping(),
+    v: () => actions.tools.useTool('select'),
+    h: () => actions.tools.useTool('pan'),
+    a: () => actions.tools.useTool('add'),
+    s: () => actions.tools.toggleSnapping(),
     p: drawRegion,
   }
 
@@ -65,49 +65,52 @@ export function listenToKeyboard(
     const times = (event.shiftKey ? BIGGER : 1) * (event.altKey ? FINER : 1)
     const step = Number((roundStep(STEP / view.camera.scale) * times).toPrecision(1))
     const arrow = ARROWS[event.key]
-    if (!event.repeat) gesture = actions.beginGesture()
+    if (!event.repeat) gesture = actions.circles.beginGesture()
 
-    if (tool === 'draw' && actions.pen?.key(event.key, step) === true) return true
+    if (tool === 'draw' && actions.tools.pen?.key(event.key, step) === true) return true
     if (arrow !== undefined) {
-      if (hasSelection && !actions.isReadonly) actions.moveSelected(arrow[0] * step, arrow[1] * step, gesture)
-      else actions.pan(-arrow[0] * PAN_STEP, arrow[1] * PAN_STEP)
+      if (hasSelection && !actions.circles.isReadonly)
+        actions.circles.moveSelected(arrow[0] * step, arrow[1] * step, gesture)
+      else actions.camera.pan(-arrow[0] * PAN_STEP, arrow[1] * PAN_STEP)
       return true
     }
     switch (event.key) {
       case 'Tab':
-        return hasSelection && actions.selectNext(event.shiftKey ? -1 : 1)
+        return hasSelection && actions.selection.selectNext(event.shiftKey ? -1 : 1)
       case 'Enter':
         if (hasSelection) editNumbers?.()
-        else actions.selectNearMiddle()
+        else actions.selection.selectNearMiddle()
         return true
       case '+':
       case '=':
-        if (hasSelection && !actions.isReadonly) actions.growSelected(step, 1 + SCALE_STEP * times, gesture)
-        else actions.zoomAtMiddle(1)
+        if (hasSelection && !actions.circles.isReadonly)
+          actions.circles.growSelected(step, 1 + SCALE_STEP * times, gesture)
+        else actions.camera.zoomAtMiddle(1)
         return true
       case '-':
       case '_':
-        if (hasSelection && !actions.isReadonly) actions.growSelected(-step, 1 / (1 + SCALE_STEP * times), gesture)
-        else actions.zoomAtMiddle(-1)
+        if (hasSelection && !actions.circles.isReadonly)
+          actions.circles.growSelected(-step, 1 / (1 + SCALE_STEP * times), gesture)
+        else actions.camera.zoomAtMiddle(-1)
         return true
       case '0':
-        actions.fit()
+        actions.camera.fit()
         return true
       case 'f':
-        actions.zoomToSelection()
+        actions.camera.zoomToSelection()
         return hasSelection
       case 'n':
-        actions.addInRoom()
+        actions.circles.addInRoom()
         return true
       case 'Delete':
       case 'Backspace':
-        actions.removeSelected()
+        actions.circles.removeSelected()
         return true
       case 'Escape':
-        actions.release()
+        release(actions)
         return hasSelection || tool !== 'select'
       case ' ':
-        actions.holdPanning(true)
+        actions.tools.holdPanning(true)
         return true
       default: {
         const act = event.altKey ? undefined : letters[event.key.toLowerCase()]
@@ -120,16 +123,16 @@ export function listenToKeyboard(
   /** Shortcuts with Ctrl or Cmd, on the figure and elsewhere. */
   const commandOf = (event: KeyboardEvent): (() => void) | undefined => {
     const arrow = event.target === figure ? ARROWS[event.key] : undefined
-    if (arrow !== undefined) return () => actions.selectNeighbor(arrow)
+    if (arrow !== undefined) return () => actions.selection.selectNeighbor(arrow)
     switch (event.key.toLowerCase()) {
       case 'z':
-        return event.shiftKey ? () => actions.redo() : () => actions.undo()
+        return event.shiftKey ? () => actions.circles.redo() : () => actions.circles.undo()
       case 'y':
-        return () => actions.redo()
+        return () => actions.circles.redo()
       case 'a':
-        return () => actions.selectAll()
+        return () => actions.selection.selectAll()
       case 'd':
-        return () => actions.duplicateSelected()
+        return () => actions.circles.duplicateSelected()
       default:
         return undefined
     }
@@ -138,8 +141,8 @@ export function listenToKeyboard(
   /** Shortcuts that work wherever the focus is. Letters would disturb speech input there. */
   const actionOf = ({ key, target }: KeyboardEvent): (() => void) | undefined => {
     if (target === figure) return undefined
-    if (key === 'Escape') return () => actions.release()
-    return key === 'Delete' ? () => actions.removeSelected() : undefined
+    if (key === 'Escape') return () => release(actions)
+    return key === 'Delete' ? () => actions.circles.removeSelected() : undefined
   }
 
   /**
@@ -147,7 +150,7 @@ export function listenToKeyboard(
    * default action is suppressed.
    */
   const afterwards = (event: KeyboardEvent, act: () => boolean) => {
-    const { pending } = actions
+    const { pending } = actions.circles
     if (pending !== undefined) pending.finally(act)
     if (pending !== undefined || act()) event.preventDefault()
   }
@@ -156,11 +159,11 @@ export function listenToKeyboard(
     if (!(event.ctrlKey || event.metaKey)) afterwards(event, () => onFigureKey(event))
   }
   const onKeyUp = (event: KeyboardEvent) => {
-    if (event.key === ' ') actions.holdPanning(false)
+    if (event.key === ' ') actions.tools.holdPanning(false)
   }
   figure.addEventListener('keydown', onKey, { signal })
   figure.addEventListener('keyup', onKeyUp, { signal })
-  figure.addEventListener('blur', () => actions.holdPanning(false), { signal })
+  figure.addEventListener('blur', () => actions.tools.holdPanning(false), { signal })
 
   const onKeyAround = (event: KeyboardEvent) => {
     if (event.target instanceof Element && event.target.closest('input, textarea, select, dialog') !== null) return

@@ -6,11 +6,18 @@ import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { HANDLE_RADIUS } from '../view/overlay.ts'
+import type { Store } from '../view/store.ts'
+import type { View } from '../view/view.ts'
 import { fileAttributes, NO_ATTRIBUTES } from './attributes.ts'
-import { isSameCamera } from './camera-actions.ts'
+import { type CameraActions, isSameCamera } from './camera-actions.ts'
+import type { Editing } from './editing.ts'
+import type { FigureActions } from './figure-actions.ts'
+import type { Messages } from './messages.ts'
 import type { OpenRequest } from './open-request.ts'
 import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
-import { SelectionActions } from './selection-actions.ts'
+import type { SelectionActions } from './selection-actions.ts'
+import { type State, showStep } from './state.ts'
+import type { Tools } from './tools.ts'
 
 /** Initial length of a path, relative to the width that no panel covers. */
 const PATH_SHARE = 0.6
@@ -30,27 +37,51 @@ export type Stage = 'loading' | 'computing' | 'clipping' | 'fitting' | 'repeatin
 export type HowOpened = 'opened' | 'refused' | 'superseded'
 
 /** Opening circles, and the link that opens the current ones. */
-export class OpeningActions extends SelectionActions {
+export class OpeningActions {
+  readonly #store: Store<State>
+  readonly #editing: Editing
+  readonly #view: View
+  readonly #camera: CameraActions
+  readonly #selection: SelectionActions
+  readonly #tools: Tools
+  readonly #messages: Messages
   /** Links to named data sets with more circles than this store only the name. */
-  protected readonly mostNamed: number = 0
+  mostNamed = 0
+  /** Called with each request that was opened. */
+  onopened: (request: OpenRequest) => void = () => {}
   /** Called at each stage with the number of circles, 0 if unknown. */
   onstage: (stage: Stage, circles: number) => void = () => {}
   #lastLoad = 0
   /** Stops waiting for a download that may never finish. */
   #stopLoading: () => void = () => {}
 
+  constructor(
+    store: Store<State>,
+    editing: Editing,
+    view: View,
+    { camera, selection, tools, messages }: Pick<FigureActions, 'camera' | 'selection' | 'tools' | 'messages'>,
+  ) {
+    this.#store = store
+    this.#editing = editing
+    this.#view = view
+    this.#camera = camera
+    this.#selection = selection
+    this.#tools = tools
+    this.#messages = messages
+  }
+
   /** The current state in the form of a link; `undefined` before the first opening. */
   linkState(): LinkInput | undefined {
-    const { scene, circles, domain, areas, colors } = this.editing
+    const { scene, circles, domain, areas, colors } = this.#editing
     if (scene === undefined) return undefined
-    const { camera, size } = this.view
-    const layers = keptLayers(this.view.layers)
-    const { step, method } = this.store.get()
+    const { camera, size } = this.#view
+    const layers = keptLayers(this.#view.layers)
+    const { step, method } = this.#store.get()
     // A data set has its own attributes, and areas are stored in the order of the circles.
-    const hasOther = this.editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
+    const hasOther = this.#editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
     const isWritten = Array.isArray(areas) || hasOther
     const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
-    const attributes = said.circles && fileAttributes(this.editing)
+    const attributes = said.circles && fileAttributes(this.#editing)
     const hasCircles = said.circles !== undefined || said.edits !== undefined
     return {
       ...said,
@@ -60,7 +91,7 @@ export class OpeningActions extends SelectionActions {
       ...regionOfLink(scene, domain),
       ...(domain.lattice && { lattice: domain.lattice }),
       ...(areas !== undefined && { areas }),
-      ...(!this.isWhole && { view: viewOfLink(camera, size) }),
+      ...(!this.#camera.isWhole && { view: viewOfLink(camera, size) }),
       ...(Object.keys(layers).length > 0 && { layers }),
       ...(step !== undefined && { step, method }),
     }
@@ -84,50 +115,51 @@ export class OpeningActions extends SelectionActions {
     try {
       this.onstage('loading', 0)
       // Opening new circles clears the previous problem.
-      this.complain('')
+      this.#messages.complain('')
       const opened = await Promise.race([load(), stopped])
       if (opened === undefined || isSuperseded()) return 'superseded'
       const { edits, view, layers, step, method, ...scene } = opened
-      const before = { camera: this.view.camera, selection: this.store.get().selection }
-      this.select([])
-      const cameraNow = () => this.looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
+      const before = { camera: this.#view.camera, selection: this.#store.get().selection }
+      this.#selection.select([])
+      const cameraNow = () => this.#camera.cameraFor(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
       const camera = cameraNow()
       // The camera moves before circles are computed, so that they are painted where they are seen. Circles out of range
       // will be refused, and the former ones cannot be painted at their scale.
-      if (isInRange(scene.circles)) this.view.setCamera(camera)
+      if (isInRange(scene.circles)) this.#view.setCamera(camera)
       this.onstage('computing', scene.circles.length / 3)
-      const edited = await this.editing.open(scene, edits)
+      const edited = await this.#editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
       if (edited === undefined) {
-        this.view.setCamera(before.camera)
-        const { problem } = this.store.get()
-        this.select(before.selection)
-        this.complain(problem)
+        this.#view.setCamera(before.camera)
+        const { problem } = this.#store.get()
+        this.#selection.select(before.selection)
+        this.#messages.complain(problem)
         return 'refused'
       }
       end = 'opened'
       // A panel may have opened beside the picture since, which changes the padding.
-      if (this.view.camera === camera && !isSameCamera(camera, cameraNow())) this.view.setCamera(cameraNow())
-      if (layers !== undefined) this.view.setLayers(layersFrom(layers))
+      if (this.#view.camera === camera && !isSameCamera(camera, cameraNow())) this.#view.setCamera(cameraNow())
+      if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
       else this.#forgetPlaces()
-      this.useTool('select')
-      const isPlayed = this.store.get().step !== undefined
-      if ('step' in opened) this.store.update((state) => ({ ...state, step, method, stage: undefined }))
-      else this.showStep(isPlayed ? 0 : undefined)
+      this.#tools.useTool('select')
+      const isPlayed = this.#store.get().step !== undefined
+      if ('step' in opened) this.#store.update((state) => ({ ...state, step, method, stage: undefined }))
+      else showStep(this.#store, isPlayed ? 0 : undefined)
+      this.onopened(opened)
       return 'opened'
     } catch (error) {
       if (isSuperseded()) return 'superseded'
-      this.complain((error as Error).message)
+      this.#messages.complain((error as Error).message)
       return 'refused'
     } finally {
-      if (!isSuperseded()) this.onstage(end, this.editing.circles.count)
+      if (!isSuperseded()) this.onstage(end, this.#editing.circles.count)
     }
   }
 
   /** Cancels the current opening; the circles stay. */
   cancelOpening(): void {
     // Drops circles that are still loading.
-    if (!this.view.cancel()) {
+    if (!this.#view.cancel()) {
       this.#lastLoad += 1
       this.#stopLoading()
       this.onstage('refused', 0)
@@ -136,19 +168,19 @@ export class OpeningActions extends SelectionActions {
 
   /** Removes layers that refer to positions among the former circles. */
   #forgetPlaces(): void {
-    const { path, nearZero, maxDistance } = this.view.layers
+    const { path, nearZero, maxDistance } = this.#view.layers
     if (path === undefined && nearZero === undefined && maxDistance === undefined) return
-    this.view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
+    this.#view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
   }
 
   /** A path across the part of the plane that no panel covers, with its ends outside of circles. */
   pathAcross(): NonNullable<Layers['path']> {
-    const { minX, minY, maxX, maxY } = this.uncovered
+    const { minX, minY, maxX, maxY } = this.#camera.uncovered
     const margin = ((1 - PATH_SHARE) / 2) * (maxX - minX)
-    const slack = HANDLE_RADIUS / this.view.camera.scale
+    const slack = HANDLE_RADIUS / this.#view.camera.scale
     const endAt = (x: number): Point => {
       const places = PATH_ROWS.map((row) => ({ x, y: (minY + maxY) / 2 + row * (maxY - minY) }))
-      const isFree = (place: Point) => [undefined, 'cell'].includes(this.view.hitAt(place, slack)?.part)
+      const isFree = (place: Point) => [undefined, 'cell'].includes(this.#view.hitAt(place, slack)?.part)
       return places.find(isFree) ?? (places[0] as Point)
     }
     return { from: endAt(minX + margin), to: endAt(maxX - margin) }

@@ -71,7 +71,7 @@ export function listenToPointer(
   }
 
   const showCursor = (hit: Hit | undefined) => {
-    element.dataset.cursor = actions.tool === 'select' ? (hit?.part ?? 'cell') : actions.tool
+    element.dataset.cursor = actions.tools.tool === 'select' ? (hit?.part ?? 'cell') : actions.tools.tool
   }
 
   const end = (point: Point | undefined) => {
@@ -134,13 +134,13 @@ export function listenToPointer(
   const hover = (point: Point) => {
     showDiscAt(view, point, false)
     const hit = hitAt(view, point, false)
-    actions.hover(hit?.id)
-    if (actions.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
+    actions.selection.hover(hit?.id)
+    if (actions.tools.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
     else showCursor(hit)
   }
   /** Updates the hovered circle when the picture changes under a resting pointer. */
   const hoverAgain = () => {
-    if (hovering !== undefined && pressed.size === 0 && actions.tool !== 'draw') hover(hovering)
+    if (hovering !== undefined && pressed.size === 0 && actions.tools.tool !== 'draw') hover(hovering)
   }
   const unwatch = [view.on('camera', hoverAgain), view.on('changed', hoverAgain)]
 
@@ -148,10 +148,10 @@ export function listenToPointer(
     const point = pointOf(event)
     if (!pressed.has(event.pointerId)) {
       if (event.pointerType === 'touch') return
-      if (actions.tool === 'draw') {
-        actions.hover(undefined)
+      if (actions.tools.tool === 'draw') {
+        actions.selection.hover(undefined)
         showCursor(undefined)
-        actions.pen?.move(view.toPlane(point))
+        actions.tools.pen?.move(view.toPlane(point))
         return
       }
       hovering = point
@@ -161,7 +161,7 @@ export function listenToPointer(
     pressed.set(event.pointerId, point)
     if (hovering !== undefined) hovering = point
     hasMoved ||= Math.hypot(point.x - start.x, point.y - start.y) >= CLICK_DISTANCE
-    if (hasMoved) gesture?.move(point, event.altKey !== actions.snaps)
+    if (hasMoved) gesture?.move(point, event.altKey !== actions.tools.snaps)
   })
 
   on('pointerup', (event) => {
@@ -184,7 +184,7 @@ export function listenToPointer(
   on('pointerleave', ({ pointerType }) => {
     isActive = !letsPageScroll
     hovering = undefined
-    actions.hover(undefined)
+    actions.selection.hover(undefined)
     // Fingers leave the element whenever they are lifted.
     if (pointerType !== 'touch') view.showDisc(undefined, 0)
   })
@@ -198,12 +198,12 @@ export function listenToPointer(
 
   on('dblclick', (event) => {
     const point = pointOf(event)
-    if (actions.tool === 'draw') {
-      actions.pen?.close()
+    if (actions.tools.tool === 'draw') {
+      actions.tools.pen?.close()
       return
     }
     const hit = hitAt(view, point, false)
-    if (hit === undefined || hit.part === 'cell') actions.addFitting(view.toPlane(point))
+    if (hit === undefined || hit.part === 'cell') actions.circles.addFitting(view.toPlane(point))
   })
 
   // Scrolling must be prevented at touchstart, which follows the pointer event.
@@ -231,7 +231,7 @@ export function listenToPointer(
       // A pinch on a touchpad arrives as a wheel with the control key and small steps.
       const speed = event.ctrlKey ? 0.01 : 0.0016
       const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY
-      actions.zoom(Math.exp(-pixels * speed), pointOf(event))
+      actions.camera.zoom(Math.exp(-pixels * speed), pointOf(event))
     },
     { passive: false },
   )

@@ -2,6 +2,7 @@
 import type { CircleTable } from '../view/circle-table.ts'
 import { type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/scene-client.ts'
+import type { Store } from '../view/store.ts'
 import { INITIAL_VIEW, type ViewState } from '../view/view-state.ts'
 import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
 import { type CircleSet, EMPTY_HISTORY, type History } from './history.ts'
@@ -62,6 +63,19 @@ export const INITIAL_STATE: State = {
   tool: 'select',
   isSnapping: false,
   said: { text: '' },
+}
+
+/** Shows a step of a method; `undefined` ends playback. `stage` is that of the state. */
+export function showStep(
+  store: Store<State>,
+  step: number | undefined,
+  method = store.get().method,
+  stage?: string,
+): void {
+  store.update((state) => {
+    const isSame = state.step === step && state.method === method && state.stage === stage
+    return isSame ? state : { ...state, step, method, stage }
+  })
 }
 
 /** The name of the opened data set, or an empty text. */

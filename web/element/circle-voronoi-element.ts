@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Past } from '../editing/editing.ts'
-import { EditorActions } from '../editing/editor-actions.ts'
+import { type FigureActions, figureActions } from '../editing/figure-actions.ts'
 import { type OpenRequest, requestOf } from '../editing/open-request.ts'
 import { problemOf } from '../editing/problem.ts'
+import { showStep } from '../editing/state.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
@@ -356,7 +357,7 @@ export class CircleVoronoiElement extends Base {
         this.#play(this.#value('step'))
         break
       case 'view':
-        figure?.actions.look(this.view)
+        figure?.actions.camera.look(this.view)
     }
   }
 
@@ -498,7 +499,7 @@ export class CircleVoronoiElement extends Base {
     const next = this.#nextSelection
     if (next === undefined || figure?.editing.scene === undefined) return
     this.#nextSelection = undefined
-    figure.actions.select(next)
+    figure.actions.selection.select(next)
   }
 
   /** A promise that resolves when everything that you set is computed, checked and painted. */
@@ -535,7 +536,7 @@ export class CircleVoronoiElement extends Base {
     const circles = listOf(this.circles)
     const own = this.#own
     const { region, lattice, areas } = this
-    const { view, layers, step, method } = this.#figure?.actions.linkState() ?? {
+    const { view, layers, step, method } = this.#figure?.actions.opening.linkState() ?? {
       view: own?.view,
       layers: own?.layers ?? keptLayers(this.layers),
       step: this.step ?? own?.step,
@@ -591,7 +592,7 @@ export class CircleVoronoiElement extends Base {
     PROPERTIES.step.parse(String(step))
     const figure = await this.#started()
     figure.stepping.pause()
-    figure.actions.showStep(step)
+    showStep(figure.store, step)
     await figure.stepping.whenReady()
   }
 
@@ -642,7 +643,7 @@ export class CircleVoronoiElement extends Base {
     this.#figure = new Figure(places, {
       load: (this.constructor as typeof CircleVoronoiElement).load,
       scrolls: true,
-      actions: (...of) => new EditorActions(...of, () => paddingBelow(controls)),
+      actions: (...of) => figureActions(...of, () => paddingBelow(controls)),
       onoutcome: ({ edited, isOpened }) => {
         this.#shell.isRunning = true
         if (isOpened) this.#checkCircles()
@@ -712,7 +713,7 @@ export class CircleVoronoiElement extends Base {
     this.#paper?.dispose()
     this.#paper = undefined
     if (figure.editing.scene !== undefined) {
-      const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
+      const { view, layers = {}, step, method } = figure.actions.opening.linkState() ?? {}
       const { region = null, lattice = null } = figure.editing.domain
       const { circles, areas, colors, attributes, past } = figure.editing
       const rest = { view, layers, step, method, region, lattice, areas, colors }
@@ -868,7 +869,7 @@ export class CircleVoronoiElement extends Base {
 
   #play(step: number | undefined): void {
     const figure = this.#figure
-    if (figure?.editing.scene !== undefined) figure.actions.showStep(step ?? this.#firstStep)
+    if (figure?.editing.scene !== undefined) showStep(figure.store, step ?? this.#firstStep)
   }
 
   #applyControls(): void {
@@ -878,10 +879,10 @@ export class CircleVoronoiElement extends Base {
     this.#describe()
     const figure = this.#figure
     if (figure === undefined) return
-    const actions: EditorActions = figure.actions
-    actions.isReadonly = this.#isReadonly
-    actions.words = this.#words.editing
-    if (this.#isReadonly) actions.useTool('select')
+    const actions: FigureActions = figure.actions
+    actions.circles.isReadonly = this.#isReadonly
+    actions.messages.words = this.#words.editing
+    if (this.#isReadonly) actions.tools.useTool('select')
     if (!hasButtons) controls.replaceChildren()
     else mountControls(this.#shell, figure, this.#words, this.#isReadonly)
   }

@@ -41,13 +41,13 @@ export function mountControls(
     element.addEventListener('click', act)
     return element
   }
-  const add = button(buttons.add, ADD, () => actions.toggleAdding())
-  const remove = button(buttons.remove, REMOVE, () => actions.removeSelected())
-  const undo = button(buttons.undo, UNDO, () => actions.undo())
-  const redo = button(buttons.redo, REDO, () => actions.redo())
-  const zoomOut = button(buttons.zoomOut, MINUS, () => actions.zoomAtMiddle(-1))
-  const zoomIn = button(buttons.zoomIn, PLUS, () => actions.zoomAtMiddle(1))
-  const fit = button(buttons.fit, FIT, () => actions.fit())
+  const add = button(buttons.add, ADD, () => actions.tools.toggleAdding())
+  const remove = button(buttons.remove, REMOVE, () => actions.circles.removeSelected())
+  const undo = button(buttons.undo, UNDO, () => actions.circles.undo())
+  const redo = button(buttons.redo, REDO, () => actions.circles.redo())
+  const zoomOut = button(buttons.zoomOut, MINUS, () => actions.camera.zoomAtMiddle(-1))
+  const zoomIn = button(buttons.zoomIn, PLUS, () => actions.camera.zoomAtMiddle(1))
+  const fit = button(buttons.fit, FIT, () => actions.camera.fit())
   controls.replaceChildren(...(isReadonly ? [] : [add, remove, undo, redo]), zoomOut, zoomIn, fit)
 
   const unsubscribe = store.subscribe(({ tool, selection, history }) => {

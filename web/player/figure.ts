@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { mountEdited } from '../editing/edited-view.ts'
 import type { Editing, Outcome, Past } from '../editing/editing.ts'
-import type { EditorActions } from '../editing/editor-actions.ts'
+import type { FigureActions } from '../editing/figure-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
 import { mountLiveRegion } from '../editing/live-region.ts'
 import type { OpenRequest } from '../editing/open-request.ts'
 import { type Listening, listenToPointer } from '../editing/pointer.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
-import type { State } from '../editing/state.ts'
+import { type State, showStep } from '../editing/state.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { Domain } from '../view/domain.ts'
@@ -32,7 +32,7 @@ export interface FigureElements {
 }
 
 /** The services that a figure needs from its surroundings, and how it behaves inside a page. */
-export interface FigureOptions<Actions extends EditorActions> {
+export interface FigureOptions<Actions extends FigureActions> {
   readonly load?: FigureLoadOptions
   /** Whether the wheel and a finger scroll the page instead of moving the figure's viewport. */
   readonly scrolls?: boolean
@@ -51,7 +51,7 @@ export interface FigureOptions<Actions extends EditorActions> {
 }
 
 /** A view of circles that can be edited by pointer and keyboard, and whose method can be played. */
-export class Figure<Actions extends EditorActions = EditorActions> {
+export class Figure<Actions extends FigureActions = FigureActions> {
   readonly view: View
   readonly store: Store<State>
   readonly editing: Editing
@@ -84,14 +84,13 @@ export class Figure<Actions extends EditorActions = EditorActions> {
       container: player,
       view,
       store,
-      actions,
       options: played,
       onstep,
       words: () => words?.()?.player,
       onproblem,
     })
 
-    mountLiveRegion(store, said, actions)
+    mountLiveRegion(store, said, actions.messages)
     this.#listening = listenToPointer(figure, { view, editing, actions }, { letsPageScroll: scrolls })
     const { signal } = this.#keys
     listenToKeyboard(figure, view, store, actions, keys, { around, signal })
@@ -103,7 +102,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
    */
   async open(opened: OpenRequest): Promise<void> {
     this.#refused = undefined
-    const opening = this.actions.open(async () => opened)
+    const opening = this.actions.opening.open(async () => opened)
     this.#opening = opening
     const how = await opening
     if (how === 'refused' && this.#refused !== undefined) throw this.#refused
@@ -138,8 +137,8 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     }
     const { data } = this.view.layers
     if (layers !== undefined) this.view.setLayers({ ...layersFrom(layers), data })
-    if (view !== undefined) this.actions.look(view)
-    if (step !== undefined) this.actions.showStep(step, method)
+    if (view !== undefined) this.actions.camera.look(view)
+    if (step !== undefined) showStep(this.store, step, method)
   }
 
   /**
@@ -148,7 +147,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
    */
   async setDomain(domain: Domain): Promise<void> {
     this.#refused = undefined
-    if ((await this.actions.setDomain(domain)) === undefined && this.#refused !== undefined) throw this.#refused
+    if ((await this.actions.circles.setDomain(domain)) === undefined && this.#refused !== undefined) throw this.#refused
   }
 
   /** Whether an error has been reported through `onproblem`. */

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { EditorActions } from '../editing/editor-actions.ts'
-import type { State } from '../editing/state.ts'
+import { type State, showStep } from '../editing/state.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
@@ -12,7 +11,6 @@ export interface SteppingOptions {
   readonly container: HTMLElement
   readonly view: View
   readonly store: Store<State>
-  readonly actions: EditorActions
   /** Returns the options of the trace when playback begins. `method` is the method of the state. */
   options(method: string | undefined): TraceOptions
   /** Called with each step shown and the number of steps. */
@@ -58,8 +56,8 @@ export class Stepping {
   /** Starts playback at the current step, or at the beginning. */
   play(): void {
     this.#isPlaying = true
-    const { store, actions } = this.#options
-    if (store.get().step === undefined) actions.showStep(0)
+    const { store } = this.#options
+    if (store.get().step === undefined) showStep(store, 0)
     this.#player?.play()
   }
 
@@ -72,7 +70,7 @@ export class Stepping {
   restart(): void {
     if (!this.#isOpen || this.#options.store.get().step === undefined) return
     this.#end()
-    this.#options.actions.showStep(0)
+    showStep(this.#options.store, 0)
     this.#followState()
   }
 
@@ -109,7 +107,7 @@ export class Stepping {
     this.#isOpen = true
     this.#turn += 1
     const turn = this.#turn
-    const { container, view, store, actions, options, onstep = () => {}, words, onproblem = () => {} } = this.#options
+    const { container, view, store, options, onstep = () => {}, words, onproblem = () => {} } = this.#options
     try {
       const { mountPlayer } = await import('./player.ts')
       // The state may have dropped the step while the player loaded.
@@ -118,7 +116,7 @@ export class Stepping {
         view,
         options: options(this.#method),
         place: () => store.get(),
-        go: (step, stage) => actions.showStep(step, undefined, stage),
+        go: (step, stage) => showStep(store, step, undefined, stage),
         words,
         onstep,
       })

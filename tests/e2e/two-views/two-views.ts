@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { mountEdited } from '../../../web/editing/edited-view.ts'
-import { EditorActions } from '../../../web/editing/editor-actions.ts'
+import { figureActions } from '../../../web/editing/figure-actions.ts'
 import { listenToPointer } from '../../../web/editing/pointer.ts'
 import { toPNG, toSVG } from '../../../web/view/export.ts'
 import { mount } from '../../../web/view/mount.ts'
@@ -12,9 +12,9 @@ const nothing = () => {}
 const edited = async (id: string) => {
   const container = document.getElementById(id) as HTMLElement
   const { view, store, editing } = mountEdited(container, undefined, nothing, nothing)
-  const actions = new EditorActions(store, editing, view, () => ({ top: 16, right: 16, bottom: 16, left: 16 }))
+  const actions = figureActions(store, editing, view, () => ({ top: 16, right: 16, bottom: 16, left: 16 }))
   listenToPointer(container, { view, editing, actions })
-  await actions.open(async () => ({ circles, dataSet: '', isEdited: false }))
+  await actions.opening.open(async () => ({ circles, dataSet: '', isEdited: false }))
   return view
 }
 const [one, other] = await Promise.all([edited('one'), edited('other')])

@@ -26,7 +26,7 @@ export class EarthActions {
   /** Opens the circles on a globe in a new tab. */
   showOnGlobe({ file, unit }: Degrees): void {
     const isOpened = openGlobe(this.#table({ file, unit }))
-    if (!isOpened) this.#actions.complain('The browser has blocked the new tab. Allow it for this page.')
+    if (!isOpened) this.#actions.messages.complain('The browser has blocked the new tab. Allow it for this page.')
   }
 
   async #table({ file, unit }: Degrees): Promise<GlobeTable> {
@@ -44,14 +44,17 @@ export class EarthActions {
       const known = fileAttributes(this.#editing)
       const attributes = known ? columnsOf(known, table.count) : NO_ATTRIBUTES
       const collection = withRecord(attributes.collection, center)
-      const how = await this.#actions.openRead(async () => ({ circles, attributes: { ...attributes, collection } }))
+      const how = await this.#actions.data.openRead(async () => ({
+        circles,
+        attributes: { ...attributes, collection },
+      }))
       if (how === 'opened') {
         const said = `x and y are meters on an equal-area map around ${placeText(center)}.`
-        toast(said, { label: 'Undo', act: () => this.#actions.undo() })
+        toast(said, { label: 'Undo', act: () => this.#actions.circles.undo() })
       }
       return how
     } catch (error) {
-      this.#actions.complain((error as Error).message)
+      this.#actions.messages.complain((error as Error).message)
       return 'refused'
     }
   }

@@ -88,7 +88,7 @@ export class FileActions {
 
   /** Opens a file with circles, or with polygons as the region. An unreadable file changes nothing. */
   async openFile(file: File): Promise<HowOpened> {
-    const gesture = this.#actions.beginGesture()
+    const gesture = this.#actions.circles.beginGesture()
     // Avoids reading a file that is too large.
     const region = file.size > LARGEST_FILE ? undefined : await regionOfFile(file).catch(() => undefined)
     if (region === undefined) {
@@ -100,7 +100,7 @@ export class FileActions {
 
   /** Opens a photo as circles. Undo restores another number of circles, too. */
   openPhoto(file: File, count = USUAL_CIRCLES): Promise<HowOpened> {
-    return this.#actions.openPhoto(file, count, () => {
+    return this.#actions.data.openPhoto(file, count, () => {
       if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
       return this.#threads.reader.call('stipple', file, count).catch(() => {
         throw new Error(`${file.name} cannot be read as a picture.`)
@@ -153,7 +153,7 @@ export class FileActions {
     finish = (circles: Read): Read => circles,
   ): Promise<HowOpened> {
     let invalid: InvalidRows | undefined
-    const how = await this.#actions.openRead(
+    const how = await this.#actions.data.openRead(
       () =>
         read().then(finish, (error) => {
           if (error instanceof InvalidRows) invalid = error
@@ -163,7 +163,7 @@ export class FileActions {
     )
     if (how === 'refused' && invalid !== undefined) {
       const { skipping } = invalid
-      this.#offerToSkip(invalid, () => this.#actions.openRead(() => skipping().then(finish), file))
+      this.#offerToSkip(invalid, () => this.#actions.data.openRead(() => skipping().then(finish), file))
     }
     return how
   }
@@ -173,19 +173,19 @@ export class FileActions {
     const act = async () => {
       if ((await skip()) === 'opened') toast(`${rows} skipped.`)
     }
-    this.#actions.offer({ problem: message, label: `Skip ${rows}`, act })
+    this.#actions.messages.offer({ problem: message, label: `Skip ${rows}`, act })
   }
 
   /** Clips the cells to the polygons of a file. An invalid region changes nothing. */
   async openRegion(file: File): Promise<HowOpened> {
-    const gesture = this.#actions.beginGesture()
+    const gesture = this.#actions.circles.beginGesture()
     if (file.size > LARGEST_FILE) {
-      this.#actions.complain(`${file.name}: the file is too large.`)
+      this.#actions.messages.complain(`${file.name}: the file is too large.`)
       return 'refused'
     }
     const text = await file.text().catch(() => undefined)
     if (text === undefined) {
-      this.#actions.complain(unreadable(file))
+      this.#actions.messages.complain(unreadable(file))
       return 'refused'
     }
     return this.#clipTo(() => readRegion(text), file.name, gesture)
@@ -193,7 +193,7 @@ export class FileActions {
 
   async #clipTo(read: ReadsRegion, name: string, gesture?: number, merges = this.mergesPolygons): Promise<HowOpened> {
     try {
-      const edited = await this.#actions.setDomain({ region: plainRegion(read(), merges) }, gesture)
+      const edited = await this.#actions.domain.setDomain({ region: plainRegion(read(), merges) }, gesture)
       if (edited === undefined) {
         if (this.#store.get().problem.includes('`dissolve`')) {
           this.#offerToMerge(name, () => this.#clipTo(read, name, undefined, true))
@@ -201,16 +201,16 @@ export class FileActions {
         return 'refused'
       }
     } catch (error) {
-      this.#actions.complain(`${name}: ${(error as Error).message}`)
+      this.#actions.messages.complain(`${name}: ${(error as Error).message}`)
       return 'refused'
     }
-    this.#actions.look(undefined)
-    toast(`Cells are clipped to ${name}.`, { label: 'Undo', act: () => this.#actions.undo() })
+    this.#actions.camera.look(undefined)
+    toast(`Cells are clipped to ${name}.`, { label: 'Undo', act: () => this.#actions.circles.undo() })
     return 'opened'
   }
 
   #offerToMerge(name: string, merge: () => Promise<HowOpened>): void {
-    this.#actions.complain('')
+    this.#actions.messages.complain('')
     const act = () => void merge()
     toast(`Polygons of ${name} share borders or overlap.`, { label: 'Merge polygons', act })
   }
@@ -218,7 +218,7 @@ export class FileActions {
   /** Opens text like a file, or as a link. Circles of a table are added to the existing ones. */
   async openText(text: string): Promise<HowOpened> {
     const link = /^\S*#(v\d+\.[\w-]+)$/.exec(text.trim())?.[1]
-    if (link !== undefined) return this.#actions.openLink(link)
+    if (link !== undefined) return this.#actions.data.openLink(link)
     const name = 'The pasted text'
     const region = regionOfText(text)
     const bytes = new TextEncoder().encode(text)
@@ -231,27 +231,27 @@ export class FileActions {
   }
 
   async #add(read: () => Promise<Read>): Promise<HowOpened> {
-    const gesture = this.#actions.beginGesture()
+    const gesture = this.#actions.circles.beginGesture()
     try {
       const result = await read()
-      if ('link' in result) return this.#actions.openLink(result.link)
+      if ('link' in result) return this.#actions.data.openLink(result.link)
       const { circles, degrees } = result
       // Degrees and other units are no circles of one plane.
       if (degrees !== undefined && this.#editing.scene?.degrees === undefined) return this.#openRead(async () => result)
       const added = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
-      const ids = await this.#actions.add(added, gesture)
+      const ids = await this.#actions.circles.add(added, gesture)
       if (ids.length === 0) return 'refused'
-      this.#actions.reveal(added)
+      this.#actions.camera.reveal(added)
       const count = ids.length === 1 ? 'One circle was' : `${wholeNumber(ids.length)} circles were`
       const replace = async () => {
-        await this.#actions.undo()
-        await this.#actions.openRead(async () => result)
+        await this.#actions.circles.undo()
+        await this.#actions.data.openRead(async () => result)
       }
       await this.#editing.setColumns(columnsFor(ids, result.attributes, this.#editing.attributes), gesture)
       toast(`${count} added.`, { label: 'Replace all circles instead', act: replace })
       return 'opened'
     } catch (error) {
-      this.#actions.complain((error as Error).message)
+      this.#actions.messages.complain((error as Error).message)
       if (error instanceof InvalidRows) this.#offerToSkip(error, () => this.#add(error.skipping))
       return 'refused'
     }
@@ -361,7 +361,7 @@ export class FileActions {
   /** Opens the system's dialog for sharing the link. */
   async shareLink(): Promise<void> {
     await this.#try(async () => {
-      const url = addressOf(`#${await this.#shortLink(this.#actions.linkState())}`)
+      const url = addressOf(`#${await this.#shortLink(this.#actions.opening.linkState())}`)
       await navigator.share({ title: document.title, url }).catch((error: Error) => {
         // The user has closed the dialog.
         if (error.name !== 'AbortError') throw error
@@ -371,11 +371,11 @@ export class FileActions {
 
   /** Copies the link to the clipboard. Resolves to its length, or to `undefined` if that failed. */
   copyLink(): Promise<number | undefined> {
-    return this.#copy((link) => addressOf(`#${link}`), this.#actions.linkState())
+    return this.#copy((link) => addressOf(`#${link}`), this.#actions.opening.linkState())
   }
 
   copyEmbedCode(): Promise<number | undefined> {
-    const state = this.#actions.linkState()
+    const state = this.#actions.opening.linkState()
     const shape = state?.step === undefined ? 'figure' : 'player'
     return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`), this.#about, shape), state)
   }
@@ -466,7 +466,7 @@ export class FileActions {
 
   /** The current state with the circles themselves, because data sets exist only on this site. */
   #wholeState(): LinkInput {
-    const { view, layers, step, method, areas } = this.#actions.linkState() ?? {}
+    const { view, layers, step, method, areas } = this.#actions.opening.linkState() ?? {}
     const { circles, domain, colors } = this.#editing
     const { region, lattice } = domain
     const attributes = fileAttributes(this.#editing)
@@ -494,7 +494,7 @@ export class FileActions {
   }
 
   /** Resolves to an empty text if the state is too large for a link. */
-  async #link(state = this.#actions.linkState()): Promise<string> {
+  async #link(state = this.#actions.opening.linkState()): Promise<string> {
     try {
       return await this.#threads.links.linkOf(state ?? {})
     } catch (error) {

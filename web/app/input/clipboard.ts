@@ -13,7 +13,7 @@ export function listenToClipboard(actions: PageActions): void {
     target instanceof Element && target.closest('input, textarea, select, dialog') !== null
 
   const copy = (event: ClipboardEvent): boolean => {
-    const circles = actions.selectedCircles().map(({ circle: { x, y, r } }) => [x, y, r])
+    const circles = actions.circles.selectedCircles().map(({ circle: { x, y, r } }) => [x, y, r])
     if (isWritten(event) || circles.length === 0 || document.getSelection()?.isCollapsed === false) return false
     event.preventDefault()
     event.clipboardData?.setData(OWN, JSON.stringify(circles))
@@ -23,7 +23,7 @@ export function listenToClipboard(actions: PageActions): void {
   }
   document.addEventListener('copy', copy)
   document.addEventListener('cut', (event) => {
-    if (copy(event)) actions.removeSelected()
+    if (copy(event)) actions.circles.removeSelected()
   })
   document.addEventListener('paste', (event) => {
     const circles = isWritten(event) ? undefined : circlesOf(event.clipboardData?.getData(OWN) ?? '')
@@ -32,7 +32,7 @@ export function listenToClipboard(actions: PageActions): void {
     // Prevents the text from being opened as a file.
     event.stopImmediatePropagation()
     times += 1
-    actions.paste(circles, times)
+    actions.circles.paste(circles, times)
   })
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { State } from '../../editing/state.ts'
+import { type State, showStep } from '../../editing/state.ts'
 import { streamOf } from '../../view/export.ts'
 import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
@@ -26,7 +26,7 @@ export async function recordClip(
   steps: number,
 ): Promise<Film | undefined> {
   const { step, selection } = store.get()
-  actions.select([])
+  actions.selection.select([])
   try {
     if (step === undefined) {
       motion.start('breathe')
@@ -36,14 +36,14 @@ export async function recordClip(
     const begin = performance.now()
     const timer = setInterval(() => {
       const share = Math.min((performance.now() - begin) / (1000 * (PLAYED - 1)), 1)
-      actions.showStep(Math.round(share * (steps - 1)))
+      showStep(store, Math.round(share * (steps - 1)))
     }, 1000 / RATE)
-    actions.showStep(0)
+    showStep(store, 0)
     return await filmed(streamOf(view), PLAYED).finally(() => {
       clearInterval(timer)
-      actions.showStep(step)
+      showStep(store, step)
     })
   } finally {
-    actions.select(selection)
+    actions.selection.select(selection)
   }
 }

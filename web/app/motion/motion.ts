@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Editing } from '../../editing/editing.ts'
+import type { FigureActions } from '../../editing/figure-actions.ts'
+import { type State, showStep } from '../../editing/state.ts'
 import type { Box } from '../../lib/index.ts'
+import type { Store } from '../../view/store.ts'
+import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
-import type { PageActions } from '../page-actions.ts'
 import { type Movement, type MovementName, movementOf } from './movements.ts'
 
 /** Largest number of moving circles. Each is edited in each frame. */
@@ -14,13 +17,17 @@ const LONGEST_STEP = 1 / 20
 /** Animates circles by editing them. The whole animation is one undo step, and any other edit ends it, also undo. */
 export class Motion {
   readonly #editing: Editing
-  readonly #actions: PageActions
+  readonly #store: Store<State>
+  readonly #view: View
+  readonly #actions: FigureActions
   #frame = 0
   /** The gesture of the current animation. */
   #gesture = 0
   readonly #listeners = new Set<() => void>()
 
-  constructor(editing: Editing, actions: PageActions) {
+  constructor(store: Store<State>, editing: Editing, view: View, actions: FigureActions) {
+    this.#store = store
+    this.#view = view
     this.#editing = editing
     this.#actions = actions
   }
@@ -46,12 +53,12 @@ export class Motion {
     )
     if (circles.length === 0) return
     if (circles.length > MOST_MOVING) {
-      this.#actions.complain(`At most ${wholeNumber(MOST_MOVING)} circles can move at once; there are more.`)
+      this.#actions.messages.complain(`At most ${wholeNumber(MOST_MOVING)} circles can move at once; there are more.`)
       return
     }
-    this.#actions.select([])
-    this.#actions.showStep(undefined)
-    if (name === 'compare') this.#actions.setLayers({ edges: true, ordinary: true, power: true })
+    this.#actions.selection.select([])
+    showStep(this.#store, undefined)
+    if (name === 'compare') this.#view.setLayers({ edges: true, ordinary: true, power: true })
     this.#run(movementOf(name, circles, this.#room(table.box())))
     this.#tell()
   }
@@ -71,14 +78,14 @@ export class Motion {
 
   #run(movement: Movement): void {
     const table = this.#editing.circles
-    const gesture = this.#actions.beginGesture()
+    const gesture = this.#actions.circles.beginGesture()
     this.#gesture = gesture
     let last: number | undefined
     let isAsked = false
     let hasBegun = false
     /** Whether somebody else has edited the circles, or is about to. */
     const isOver = () => {
-      const last = this.#editing.past.history.done.at(-1)
+      const last = this.#store.get().history.done.at(-1)
       return this.#editing.unfinished > 0 || last?.kind !== 'edits' || last.gesture !== gesture
     }
     const frame = (now: number) => {
@@ -107,7 +114,7 @@ export class Motion {
 
   /** The walls: the viewport if it contains all circles. */
   #room(box: Box): Box {
-    const { minX, minY, maxX, maxY } = this.#actions.uncovered
+    const { minX, minY, maxX, maxY } = this.#actions.camera.uncovered
     return {
       minX: Math.min(minX, box.minX),
       minY: Math.min(minY, box.minY),

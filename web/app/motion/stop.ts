@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Editing } from '../../editing/editing.ts'
+import type { FigureActions } from '../../editing/figure-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../view/store.ts'
-import type { PageActions } from '../page-actions.ts'
+import type { View } from '../../view/view.ts'
 import { byId } from '../panels/by-id.ts'
 import { showStop } from '../panels/stop.ts'
 import { Motion } from './motion.ts'
 
 /** Animations that are stopped by the button on the picture, by Escape, or when a method is played. */
-export function stoppableMotion(editing: Editing, actions: PageActions, store: Store<State>): Motion {
-  const motion = new Motion(editing, actions)
+export function stoppableMotion(store: Store<State>, editing: Editing, view: View, actions: FigureActions): Motion {
+  const motion = new Motion(store, editing, view, actions)
   const tool = document.querySelector('[aria-controls="motion"]') as HTMLElement
   motion.onchange(() => {
     showStop(motion.isMoving)

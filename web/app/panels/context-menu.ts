@@ -27,20 +27,20 @@ export function contextMenu(
     const place = toPlane(view.camera, view.size, point)
     const hit = view.hitAt(place, SLACK / view.camera.scale)
     const isOnCircle = hit !== undefined && hit.part !== 'cell'
-    if (isOnCircle && !actions.isSelected(hit.id)) actions.select([hit.id])
+    if (isOnCircle && !actions.selection.isSelected(hit.id)) actions.selection.select([hit.id])
     const count = store.get().selection.length
     if (!isOnCircle) {
       return [
-        ['Add a circle here', 'double-click', () => actions.addFitting(place)],
-        ['Select all', 'Ctrl+A', () => actions.selectAll()],
-        ['Show everything', '0', () => actions.fit()],
+        ['Add a circle here', 'double-click', () => actions.circles.addFitting(place)],
+        ['Select all', 'Ctrl+A', () => actions.selection.selectAll()],
+        ['Show everything', '0', () => actions.camera.fit()],
       ]
     }
     return [
       ...(count === 1 ? [['Name …', '', name] as const] : []),
-      ['Zoom to', 'F', () => actions.zoomToSelection()],
-      ['Duplicate', 'Ctrl+D', () => actions.duplicateSelected()],
-      ['Delete', 'Delete', () => actions.removeSelected()],
+      ['Zoom to', 'F', () => actions.camera.zoomToSelection()],
+      ['Duplicate', 'Ctrl+D', () => actions.circles.duplicateSelected()],
+      ['Delete', 'Delete', () => actions.circles.removeSelected()],
     ]
   }
 

@@ -83,7 +83,7 @@ export function mountGenerate(
   const draw = () => folded.render(body)
   const folded = panelOf(panel, 'Gallery', draw, { onopen: drawThumbnails })
 
-  const generate = (family: string) => actions.generate({ kind: 'family', family, ...fields })
+  const generate = (family: string) => actions.data.generate({ kind: 'family', family, ...fields })
   const change = (event: Event) => {
     const input = event.target as HTMLInputElement
     // The browser reports the invalid field.
@@ -132,7 +132,7 @@ export function mountGenerate(
       <ul aria-label="Figures of the paper">
         ${figures.map((figure) =>
           row(figure, `Figure ${figure.name}`, source?.kind === 'figure' && source.figure === figure.name, () =>
-            actions.generate({ kind: 'figure', figure: figure.name }),
+            actions.data.generate({ kind: 'figure', figure: figure.name }),
           ),
         )}
       </ul>
@@ -141,7 +141,7 @@ export function mountGenerate(
 
   const setTile = ({ id, label, about, credit }: DataSet) => html`
     <li>
-      <button type="button" class="scene" data-name=${id} aria-current=${id === dataSetOf(shown)?.id} title=${credit ?? nothing} @click=${() => actions.load(id)}>
+      <button type="button" class="scene" data-name=${id} aria-current=${id === dataSetOf(shown)?.id} title=${credit ?? nothing} @click=${() => actions.data.load(id)}>
         <span class="frame">${thumbnails.get(id)}</span><b>${label}</b><small>${about}</small>
       </button>
     </li>

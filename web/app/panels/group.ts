@@ -14,15 +14,15 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
   const panel = byId('group', HTMLElement)
   const figure = byId('figure', HTMLElement)
   const deselect = () => {
-    actions.select([])
+    actions.selection.select([])
     figure.focus()
   }
   const pick = colorPicker(actions, store)
   store.subscribe(({ selection }) => {
     panel.hidden = selection.length < 2
     if (panel.hidden) return
-    const first = actions.ownColorOf(selection[0] as number)
-    const isOneColor = selection.every((id) => actions.ownColorOf(id) === first)
+    const first = actions.identity.ownColorOf(selection[0] as number)
+    const isOneColor = selection.every((id) => actions.identity.ownColorOf(id) === first)
     const color = isOneColor ? hexOf(first ?? '') : undefined
     render(
       html`
@@ -51,14 +51,14 @@ export function selectionActions(actions: PageActions, selection: readonly numbe
   }
   return html`
     ${
-      selection.some((id) => actions.ownColorOf(id) !== undefined)
-        ? html`<button type="button" title="The color that tells it from its neighbors" @click=${act(() => actions.setColor(selection, undefined))}>
+      selection.some((id) => actions.identity.ownColorOf(id) !== undefined)
+        ? html`<button type="button" title="The color that tells it from its neighbors" @click=${act(() => actions.identity.setColor(selection, undefined))}>
             Automatic color
           </button>`
         : nothing
     }
-    <button type="button" title="Zoom to the selection (F)" @click=${act(() => actions.zoomToSelection())}>Zoom to</button>
-    <button type="button" title="Duplicate (Ctrl+D)" @click=${act(() => actions.duplicateSelected())}>Duplicate</button>
-    <button type="button" title="Delete (Delete)" @click=${act(() => actions.removeSelected())}>Delete</button>
+    <button type="button" title="Zoom to the selection (F)" @click=${act(() => actions.camera.zoomToSelection())}>Zoom to</button>
+    <button type="button" title="Duplicate (Ctrl+D)" @click=${act(() => actions.circles.duplicateSelected())}>Duplicate</button>
+    <button type="button" title="Delete (Delete)" @click=${act(() => actions.circles.removeSelected())}>Delete</button>
   `
 }

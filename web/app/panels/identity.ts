@@ -23,7 +23,8 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
   const write = () => {
     const id = writing
     writing = undefined
-    if (id !== undefined && name.value.trim() !== nameIn(editing.attributes, id)) actions.setName(id, name.value.trim())
+    if (id !== undefined && name.value.trim() !== nameIn(editing.attributes, id))
+      actions.identity.setName(id, name.value.trim())
   }
   name.addEventListener('change', write)
   name.addEventListener('keydown', (event) => {
@@ -49,7 +50,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
     title.textContent = known || `Circle ${selected}`
     if (writing !== selected) name.value = known
     name.placeholder = `Circle ${selected}`
-    const hex = hexOf(actions.ownColorOf(selected) ?? described?.color ?? '')
+    const hex = hexOf(actions.identity.ownColorOf(selected) ?? described?.color ?? '')
     if (hex !== undefined && document.activeElement !== color) color.value = hex
   })
 }
@@ -59,8 +60,8 @@ export function colorPicker(actions: PageActions, store: Store<State>) {
   let gesture: number | undefined
   return {
     input({ target }: Event) {
-      gesture ??= actions.beginGesture()
-      actions.setColor(store.get().selection, (target as HTMLInputElement).value, gesture)
+      gesture ??= actions.circles.beginGesture()
+      actions.identity.setColor(store.get().selection, (target as HTMLInputElement).value, gesture)
     },
     change() {
       gesture = undefined

@@ -21,8 +21,8 @@ export function mountInspectorShare(store: Store<State>, actions: PageActions): 
   let gesture: number | undefined
 
   const set = (id: number, share: number) => {
-    gesture ??= actions.beginGesture()
-    actions.setShare(id, Math.min(share, MOST_PERCENT / 100), gesture)
+    gesture ??= actions.circles.beginGesture()
+    actions.domain.setShare(id, Math.min(share, MOST_PERCENT / 100), gesture)
   }
   const end = () => {
     gesture = undefined
@@ -37,7 +37,7 @@ export function mountInspectorShare(store: Store<State>, actions: PageActions): 
     const [label] = radius.labels ?? []
     if (label?.firstChild) label.firstChild.textContent = isGiven ? 'w ' : 'r '
     if (!isGiven) return
-    const share = actions.shareOf(selected) ?? 0
+    const share = actions.domain.shareOf(selected) ?? 0
     const mean = 1 / (edited?.counts.circles ?? 1)
     const type = (event: Event) => {
       const input = event.target as HTMLInputElement

@@ -28,7 +28,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
   const afterPress = listenToPresses(document)
   const circleIn = (state: State) => {
     const id = selectedIn(state)
-    return id === undefined ? undefined : actions.circle(id)
+    return id === undefined ? undefined : actions.circles.circle(id)
   }
 
   // The field being edited. Refused text stays in it for correction.
@@ -39,9 +39,9 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     })
     field.addEventListener('change', () => {
       // Earlier input may still be pending, so this uses the predicted values.
-      const [held, ...others] = actions.selectedCircles()
+      const [held, ...others] = actions.circles.selectedCircles()
       if (held === undefined || others.length > 0) return
-      actions.set([{ id: held.id, circle: { ...held.circle, [FIELDS[i] as Field]: field.valueAsNumber } }])
+      actions.circles.set([{ id: held.id, circle: { ...held.circle, [FIELDS[i] as Field]: field.valueAsNumber } }])
     })
     field.addEventListener('blur', () => {
       typing = undefined
@@ -51,7 +51,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
       if (circle === undefined) return
       const text = short(circle[FIELDS[i] as Field])
       if (field.value !== text && problem !== '')
-        afterPress(() => store.get().problem === problem && actions.complain(''))
+        afterPress(() => store.get().problem === problem && actions.messages.complain(''))
       field.value = text
       field.setAttribute('aria-invalid', 'false')
     })
@@ -60,14 +60,14 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     })
   })
   byId('deselect', HTMLButtonElement).addEventListener('click', () => {
-    actions.select([])
+    actions.selection.select([])
     figure.focus()
   })
 
   let shownNeighbors: string | undefined
   const showNeighbors = (indices: readonly number[]) => {
     const shown = indices.slice(0, MOST_NEIGHBORS)
-    const text = `${shown.map((id) => actions.called(id)).join('\n')} of ${indices.length}`
+    const text = `${shown.map((id) => actions.messages.called(id)).join('\n')} of ${indices.length}`
     if (text === shownNeighbors) return
     shownNeighbors = text
     const hadFocus = neighbors.contains(document.activeElement)
@@ -98,7 +98,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     // The cell's description arrives later. Until then its place keeps its size.
     panel.classList.toggle('awaiting', described === undefined)
     if (described === undefined) return
-    const [description, indices] = describeCell(described, actions)
+    const [description, indices] = describeCell(described, actions.messages)
     cell.textContent = description
     showNeighbors(indices)
   })
@@ -109,12 +109,12 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
 function chip(index: number, actions: PageActions): HTMLLIElement {
   const button = document.createElement('button')
   button.type = 'button'
-  const name = actions.nameOf(index)
+  const name = actions.identity.nameOf(index)
   button.textContent = name || String(index)
   button.setAttribute('aria-label', name || `Circle ${index}`)
-  button.addEventListener('click', () => actions.goTo(index))
-  button.addEventListener('pointerenter', () => actions.hover(index))
-  button.addEventListener('pointerleave', () => actions.hover(undefined))
+  button.addEventListener('click', () => actions.selection.goTo(index))
+  button.addEventListener('pointerenter', () => actions.selection.hover(index))
+  button.addEventListener('pointerleave', () => actions.selection.hover(undefined))
   const item = document.createElement('li')
   item.append(button)
   return item

@@ -56,7 +56,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
 
   const toggle = (name: keyof Layers & Pictured, label: string, note: unknown = nothing): TemplateResult => {
     const layers = store.get().layers
-    const change = (event: Event) => actions.setLayers({ [name]: (event.target as HTMLInputElement).checked })
+    const change = (event: Event) => view.setLayers({ [name]: (event.target as HTMLInputElement).checked })
     return row(name, label, layers[name] === true, change, note)
   }
 
@@ -79,11 +79,11 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
     const { least, usual, most } = SAMPLES[candidates]
     const choose = (event: Event) => {
       const chosen = (event.target as HTMLSelectElement).value as Candidates
-      actions.setLayers({ candidates: chosen, sampleCount: undefined })
+      view.setLayers({ candidates: chosen, sampleCount: undefined })
     }
     const count = (event: Event) => {
       const input = event.target as HTMLInputElement
-      if (input.reportValidity()) actions.setLayers({ sampleCount: input.valueAsNumber })
+      if (input.reportValidity()) view.setLayers({ sampleCount: input.valueAsNumber })
     }
     return html`
       <div class="layer">
@@ -117,8 +117,8 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
 
   const chooseColors = (event: Event) => {
     const { value } = event.target as HTMLSelectElement
-    if (value.startsWith(COLUMN)) actions.colorBy(value.slice(COLUMN.length))
-    else actions.setLayers({ cells: value as CellColors, column: undefined })
+    if (value.startsWith(COLUMN)) actions.coloring.colorBy(value.slice(COLUMN.length))
+    else view.setLayers({ cells: value as CellColors, column: undefined })
   }
 
   const body = ({ layers, found, edited, domain, attributes }: State) => html`
@@ -189,16 +189,16 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
   /** Circles snap to the grid while it is visible. */
   const toggleGrid = (event: Event) => {
     const grid = (event.target as HTMLInputElement).checked
-    actions.setLayers({ grid })
-    if (store.get().isSnapping !== grid) actions.toggleSnapping()
+    view.setLayers({ grid })
+    if (store.get().isSnapping !== grid) actions.tools.toggleSnapping()
   }
 
   const togglePath = (event: Event) => {
     if (!(event.target as HTMLInputElement).checked) {
-      actions.setLayers({ path: undefined })
+      view.setLayers({ path: undefined })
       return
     }
-    actions.setLayers({ path: actions.pathAcross() })
+    view.setLayers({ path: actions.opening.pathAcross() })
   }
 
   const mergeControl = ({ nearZero }: Layers) => html`
@@ -209,7 +209,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
           .checked=${nearZero !== undefined}
           @change=${(event: Event) => {
             const isOn = (event.target as HTMLInputElement).checked
-            actions.setLayers({ nearZero: isOn ? rounded(NEAR_ZERO * extent()) : undefined })
+            view.setLayers({ nearZero: isOn ? rounded(NEAR_ZERO * extent()) : undefined })
           }}
         />merged up to length</label
       >
@@ -224,7 +224,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
               .value=${String(nearZero)}
               @change=${(event: Event) => {
                 const value = (event.target as HTMLInputElement).valueAsNumber
-                if (value >= 0) actions.setLayers({ nearZero: value })
+                if (value >= 0) view.setLayers({ nearZero: value })
               }}
             />`
       }
@@ -234,7 +234,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
   const cutControl = ({ maxDistance }: Layers) => html`
     ${row('maxDistance', 'Cells end at a distance', maxDistance !== undefined, (event) => {
       const isOn = (event.target as HTMLInputElement).checked
-      actions.setLayers({ maxDistance: isOn ? rounded(FARTHEST * 0.1 * extent()) : undefined })
+      view.setLayers({ maxDistance: isOn ? rounded(FARTHEST * 0.1 * extent()) : undefined })
     })}
     ${
       maxDistance === undefined
@@ -249,7 +249,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
               .value=${String(Math.sqrt(maxDistance / (FARTHEST * extent())))}
               @input=${(event: Event) => {
                 const value = (event.target as HTMLInputElement).valueAsNumber
-                actions.setLayers({ maxDistance: rounded(value * value * FARTHEST * extent()) })
+                view.setLayers({ maxDistance: rounded(value * value * FARTHEST * extent()) })
               }}
             /><output>${maxDistance.toPrecision(3)}</output>
           </div>`

@@ -34,7 +34,7 @@ export function mountMotion(motion: Motion, view: View, actions: PageActions): v
       const { film, ending } = await filmed(streamOf(view), RECORDED)
       save(film, `circles-${chosen}${ending}`)
     } catch (error) {
-      actions.complain((error as Error).message)
+      actions.messages.complain((error as Error).message)
     }
     isRecording = false
     draw()

@@ -58,7 +58,7 @@ export function mountPhoto(store: Store<State>, actions: PageActions, files: Fil
   }
   motion.onchange(draw)
   store.subscribe(({ attributes }) => {
-    const now = actions.photos.get(attributes)
+    const now = actions.coloring.photos.get(attributes)
     if (now === photo) return
     photo = now
     draw()

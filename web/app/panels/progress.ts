@@ -27,7 +27,7 @@ export function mountProgress(actions: PageActions): void {
   const draw = () => {
     place.hidden = stage === ''
     const stop = () => {
-      actions.cancelOpening()
+      actions.data.cancel()
       toast('Canceled. Nothing has changed.')
     }
     const cancel = html`<button type="button" @click=${stop}>Cancel</button>`
@@ -51,7 +51,7 @@ export function mountProgress(actions: PageActions): void {
   new MutationObserver(() => stage.startsWith('Painting') && !isPainting() && show('', false)).observe(figure, {
     attributeFilter: ['aria-busy'],
   })
-  actions.onstage = (now, circles) => {
+  actions.opening.onstage = (now, circles) => {
     const count = `${wholeNumber(circles)} ${circles === 1 ? 'circle' : 'circles'}`
     if (now === 'loading') show('Loading …', true)
     else if (DOING[now] !== undefined) show(`${DOING[now]} of ${count} …`, true)

@@ -112,7 +112,7 @@ export class QuestionForm {
 
   /** Loads the question of the last opened link into the form. */
   take(): void {
-    const from = this.#actions.frame
+    const from = this.#actions.data.frame
     if (from === this.#from) return
     this.#from = from
     if (from === undefined) return
@@ -289,7 +289,7 @@ export class QuestionForm {
   #pick(label: string, set: (id: number) => void): void {
     const isPicking = this.#picking?.label === label
     // A click on the selected circle has to select it anew.
-    if (!isPicking) this.#actions.select([])
+    if (!isPicking) this.#actions.selection.select([])
     this.#picking = isPicking ? undefined : { label, set }
     this.#redraw()
   }

@@ -31,7 +31,7 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
   const chosen = new WeakMap<readonly number[], string>()
 
   const begin = () => {
-    actions.useTool('draw')
+    actions.tools.useTool('draw')
     figure.focus()
   }
   const open = async ({ target }: Event) => {
@@ -45,16 +45,17 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     const input = target as HTMLInputElement
     const { region } = store.get().domain
     files.mergesPolygons = input.checked
-    if (region !== undefined) await actions.setDomain({ region: plainRegion(region, input.checked) })
+    if (region !== undefined) await actions.domain.setDomain({ region: plainRegion(region, input.checked) })
     draw()
   }
   const choose = async ({ target }: Event) => {
     const select = target as HTMLSelectElement
     const { value } = select
-    if (value === FREE) await actions.setAreas(undefined)
-    else if (value === 'equal') await actions.setAreas('equal')
+    if (value === FREE) await actions.domain.setAreas(undefined)
+    else if (value === 'equal') await actions.domain.setAreas('equal')
     else if (value.startsWith(COLUMN)) await chooseColumn(value.slice(COLUMN.length))
-    else if (value !== OWN) await actions.setAreas(actions.radii().map((r) => (value === 'disc' ? r * r : r)))
+    else if (value !== OWN)
+      await actions.domain.setAreas(actions.domain.radii().map((r) => (value === 'disc' ? r * r : r)))
     const { areas } = store.get().domain
     if (Array.isArray(areas) && !chosen.has(areas)) chosen.set(areas, value)
     draw()
@@ -63,7 +64,7 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
   }
 
   const chooseColumn = async (name: string) => {
-    const missing = (await actions.setAreasBy(name)) ?? 0
+    const missing = (await actions.domain.setAreasBy(name)) ?? 0
     if (missing > 0) toast(`${wholeNumber(missing)} of the circles have no number in ${name}: they get the mean.`)
   }
 
@@ -72,13 +73,13 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     <div class="choices">
       <button type="button" class="primary" ?disabled=${pen.count < 3} @click=${() => pen.close()}>Close polygon</button>
       <button type="button" ?disabled=${pen.count === 0} @click=${() => pen.undo()}>Undo corner</button>
-      <button type="button" @click=${() => actions.useTool('select')}>Cancel</button>
+      <button type="button" @click=${() => actions.tools.useTool('select')}>Cancel</button>
     </div>
   `
 
   const repeat = async ({ target }: Event) => {
     const input = target as HTMLInputElement
-    await (input.checked ? actions.repeat() : actions.setLattice(undefined))
+    await (input.checked ? actions.domain.repeat() : actions.domain.setLattice(undefined))
     draw()
     // A refused lattice leaves the box unchecked.
     input.checked = store.get().domain.lattice !== undefined
@@ -86,7 +87,7 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
   const setPeriod = async (lattice: Lattice, name: 'a' | 'b', axis: 0 | 1, input: HTMLInputElement) => {
     if (!input.reportValidity()) return
     const period = lattice[name].with(axis, input.valueAsNumber) as [number, number]
-    await actions.setLattice({ ...lattice, [name]: period })
+    await actions.domain.setLattice({ ...lattice, [name]: period })
     // A refused period goes back to its value.
     input.value = String(store.get().domain.lattice?.[name][axis] ?? '')
   }
@@ -123,7 +124,7 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
             ${
               region === undefined
                 ? nothing
-                : html`<button type="button" @click=${() => actions.removeRegion()}>${icon(BIN)}Remove region</button>`
+                : html`<button type="button" @click=${() => actions.domain.removeRegion()}>${icon(BIN)}Remove region</button>`
             }
           </div>`
     }
@@ -171,13 +172,13 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
   const optionsOf = (areas: State['domain']['areas']) => [
     [FREE, 'not fixed'],
     ...Object.entries(BY),
-    ...actions.columns.map((name) => [COLUMN + name, `by ${name}`]),
+    ...actions.domain.columns.map((name) => [COLUMN + name, `by ${name}`]),
     ...(chosenOf(areas) === OWN ? [[OWN, 'one by one']] : []),
   ]
 
   let shown: readonly unknown[] = []
   store.subscribe(({ domain, tool, edited, said }) => {
-    const now = [domain, tool, edited?.fitted, tool === 'draw' && said, actions.columns.join()]
+    const now = [domain, tool, edited?.fitted, tool === 'draw' && said, actions.domain.columns.join()]
     if (now.every((value, k) => value === shown[k])) return
     shown = now
     draw()

@@ -42,7 +42,7 @@ export function mountShare(
       const clip = await recordClip(view, store, pageActions, motion, steps())
       if (clip !== undefined) save(clip.film, `circles-clip${clip.ending}`)
     } catch (error) {
-      pageActions.complain((error as Error).message)
+      pageActions.messages.complain((error as Error).message)
     }
     isRecording = false
     draw()

@@ -34,10 +34,10 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
   const body = () => html`
     ${keyed(shownColumns, html`<div id="circle-grid" class="grid"></div>`)}
     <div class="choices">
-      <button type="button" title="Add a circle where there is room in the view" @click=${() => actions.addInRoom()}>
+      <button type="button" title="Add a circle where there is room in the view" @click=${() => actions.circles.addInRoom()}>
         ${icon(PLUS)}Add
       </button>
-      <button type="button" title="Delete the selected circles (Delete)" @click=${() => actions.removeSelected()}>
+      <button type="button" title="Delete the selected circles (Delete)" @click=${() => actions.circles.removeSelected()}>
         ${icon(MINUS)}Delete
       </button>
       <p>Enter edits; rows of a spreadsheet can be pasted.</p>

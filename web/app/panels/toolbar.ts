@@ -35,23 +35,25 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
   }
   dataSet.addEventListener('change', () => {
     if (dataSet.value !== MORE) {
-      actions.load(dataSet.value)
+      actions.data.load(dataSet.value)
       return
     }
     showChosen(store.get())
     showMore()
   })
-  again.addEventListener('click', () => actions.generateAgain())
+  again.addEventListener('click', () => actions.data.generateAgain())
   const tools = [
     ['select', byId('select', HTMLButtonElement)],
     ['pan', byId('pan', HTMLButtonElement)],
     ['add', byId('add', HTMLButtonElement)],
   ] as const
   for (const [tool, button] of tools) {
-    button.addEventListener('click', () => (tool === 'add' ? actions.toggleAdding() : actions.useTool(tool)))
+    button.addEventListener('click', () =>
+      tool === 'add' ? actions.tools.toggleAdding() : actions.tools.useTool(tool),
+    )
   }
-  undo.addEventListener('click', () => actions.undo())
-  redo.addEventListener('click', () => actions.redo())
+  undo.addEventListener('click', () => actions.circles.undo())
+  redo.addEventListener('click', () => actions.circles.redo())
   mountMore()
 
   store.subscribe((state) => {

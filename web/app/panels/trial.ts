@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
+import type { Messages } from '../../editing/messages.ts'
 import type { Trial } from '../../view/protocol.ts'
 import { areaText, namedOf } from '../../view/taken-text.ts'
 import type { View } from '../../view/view.ts'
-import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 /** Shows the effect of a previewed circle. */
-export function mountTrial(view: View, { called }: Pick<PageActions, 'called'>): void {
+export function mountTrial(view: View, { called }: Pick<Messages, 'called'>): void {
   const panel = byId('trial', HTMLElement)
   view.on('tried', (trial) => {
     panel.hidden = trial === undefined

@@ -184,11 +184,11 @@ export class CircleGrid implements GridContent {
     const id = this.idOf(row)
     if (how === 'through') {
       const [from, to] = [Math.min(this.#anchor, row), Math.max(this.#anchor, row)]
-      this.#actions.select([...this.#order.subarray(from, to + 1)])
+      this.#actions.selection.select([...this.#order.subarray(from, to + 1)])
     } else {
       this.#anchor = row
-      if (how === 'toggle') this.#actions.toggle(id)
-      else this.#actions.goTo(id)
+      if (how === 'toggle') this.#actions.selection.toggle(id)
+      else this.#actions.selection.goTo(id)
     }
     this.#own = this.#store.get().selection
   }
@@ -211,11 +211,11 @@ export class CircleGrid implements GridContent {
     if (!isFixed(name)) return this.#writeValues(name, [[id, text]])
     const value = numberOf(text)
     if (value === undefined) {
-      this.#actions.complain(notANumber(text))
+      this.#actions.messages.complain(notANumber(text))
       return false
     }
     const changed: Circle = { ...circle, [name as Written]: value }
-    return (await this.#actions.edit([{ kind: 'replace', id, circle: changed }])) !== undefined
+    return (await this.#actions.circles.edit([{ kind: 'replace', id, circle: changed }])) !== undefined
   }
 
   /** Writes texts into a column: all or none, as one undo step. Returns whether they were accepted. */
@@ -225,7 +225,7 @@ export class CircleGrid implements GridContent {
     const values = texts.map(([id, text]) => [id, text, valueFrom(text, column)] as const)
     const wrong = values.find(([, , value]) => value === undefined)
     if (wrong !== undefined) {
-      this.#actions.complain(notANumber(wrong[1]))
+      this.#actions.messages.complain(notANumber(wrong[1]))
       return false
     }
     const byId = new Map(values.map(([id, , value]) => [id, value as string]))
@@ -233,7 +233,9 @@ export class CircleGrid implements GridContent {
     if (long !== undefined) {
       const [id, { length }] = long
       const [most, got] = [LONGEST_VALUE, length].map(wholeNumber)
-      this.#actions.complain(`Circle ${id}: ${column.name} must not be longer than ${most} letters (got ${got}).`)
+      this.#actions.messages.complain(
+        `Circle ${id}: ${column.name} must not be longer than ${most} letters (got ${got}).`,
+      )
       return false
     }
     return (await this.#editing.setValues(column.name, byId)) !== undefined
@@ -252,22 +254,22 @@ export class CircleGrid implements GridContent {
     }
     const rows = rowsOf(text)
     if ('problem' in rows) {
-      this.#actions.complain(rows.problem)
+      this.#actions.messages.complain(rows.problem)
       return
     }
     if (isMeasured(name)) {
-      this.#actions.complain('Numbers can be pasted into x, y and r.')
+      this.#actions.messages.complain('Numbers can be pasted into x, y and r.')
       return
     }
     const ids = [...this.#order.subarray(row, row + rows.length)]
     const edits = editsOf(rows, name === 'id' ? 'x' : name, ids, (id) => this.#editing.circles.get(id))
     if ('problem' in edits) {
-      this.#actions.complain(edits.problem)
+      this.#actions.messages.complain(edits.problem)
       return
     }
-    const edited = await this.#actions.edit(edits)
+    const edited = await this.#actions.circles.edit(edits)
     if (edited === undefined) return
-    this.#actions.select([...ids, ...edited.inserted])
+    this.#actions.selection.select([...ids, ...edited.inserted])
     this.#own = this.#store.get().selection
   }
 

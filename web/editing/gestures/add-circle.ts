@@ -22,7 +22,7 @@ export class AddCircle implements Gesture {
     const circle = this.#circleTo(to, snaps)
     this.#last = circle
     const isFirst = this.#added === undefined
-    this.#added ??= actions.add([circle], this.#gesture)
+    this.#added ??= actions.circles.add([circle], this.#gesture)
     this.#added.then(([id]) => {
       const isWanted = !this.#isCanceled && (isFirst || circle === this.#last)
       if (id !== undefined && isWanted) editing.replace([{ id, circle: this.#last as Circle }], this.#gesture)
@@ -34,11 +34,11 @@ export class AddCircle implements Gesture {
     const { x, y } = this.#center
     const point = view.toPlane(to)
     const circle = { x, y, r: Math.hypot(point.x - x, point.y - y) }
-    return snaps ? actions.snapped(circle, snapDistance(view), true) : circle
+    return snaps ? actions.circles.snapped(circle, snapDistance(view), true) : circle
   }
 
   click(): void {
-    this.#context.actions.addFitting(this.#center)
+    this.#context.actions.circles.addFitting(this.#center)
   }
 
   cancel(): void {

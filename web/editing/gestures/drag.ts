@@ -17,7 +17,7 @@ export class Drag implements Gesture {
     this.#context = context
     this.#gesture = context.editing.beginGesture()
     this.#id = id
-    this.#held = context.actions.selectedCircles()
+    this.#held = context.actions.circles.selectedCircles()
     this.#grabbed = this.#held.find((other) => other.id === id)
     this.#from = context.view.toPlane(from)
   }
@@ -28,7 +28,8 @@ export class Drag implements Gesture {
     let [dx, dy] = [point.x - this.#from.x, point.y - this.#from.y]
     const movedBy = (circle: Circle) => ({ ...circle, x: circle.x + dx, y: circle.y + dy })
     const grabbed = this.#grabbed
-    const snapped = grabbed && snaps ? actions.snapped(movedBy(grabbed.circle), snapDistance(view), false) : undefined
+    const snapped =
+      grabbed && snaps ? actions.circles.snapped(movedBy(grabbed.circle), snapDistance(view), false) : undefined
     if (grabbed && snapped) [dx, dy] = [snapped.x - grabbed.circle.x, snapped.y - grabbed.circle.y]
     const moved = this.#held.map((held) => ({
       id: held.id,
@@ -39,7 +40,7 @@ export class Drag implements Gesture {
 
   /** A click without a drag selects only this circle. */
   click(): void {
-    this.#context.actions.select([this.#id])
+    this.#context.actions.selection.select([this.#id])
   }
 
   cancel(): void {

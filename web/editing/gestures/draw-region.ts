@@ -16,7 +16,7 @@ export class DrawRegion implements Gesture {
   move(to: Point): void {
     const { view, actions } = this.#context
     this.#last = to
-    actions.pen?.move(view.toPlane(to))
+    actions.tools.pen?.move(view.toPlane(to))
   }
 
   click(): void {
@@ -25,6 +25,6 @@ export class DrawRegion implements Gesture {
 
   end(): void {
     const { view, actions } = this.#context
-    actions.pen?.place(view.toPlane(this.#last), snapDistance(view))
+    actions.tools.pen?.place(view.toPlane(this.#last), snapDistance(view))
   }
 }

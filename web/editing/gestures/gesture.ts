@@ -2,7 +2,7 @@
 import type { Point } from '../../lib/index.ts'
 import type { View } from '../../view/view.ts'
 import type { Editing } from '../editing.ts'
-import type { EditorActions } from '../editor-actions.ts'
+import type { FigureActions } from '../figure-actions.ts'
 
 /** Distance at which snapping acts, in pixels. */
 const SNAP_DISTANCE = 8
@@ -11,7 +11,7 @@ const SNAP_DISTANCE = 8
 export interface GestureContext {
   readonly view: View
   readonly editing: Editing
-  readonly actions: EditorActions
+  readonly actions: FigureActions
 }
 
 /** The effects of a pressed pointer until its release. Points are in pixels. */

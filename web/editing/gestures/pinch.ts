@@ -21,7 +21,7 @@ export class Pinch implements Gesture {
     const next = spreadOf(this.#fingers)
     const { middle, width } = this.#last
     view.setCamera(panned(view.camera, next.middle.x - middle.x, next.middle.y - middle.y))
-    actions.zoom(next.width / width, next.middle)
+    actions.camera.zoom(next.width / width, next.middle)
     this.#last = next
   }
 }

@@ -49,9 +49,10 @@ export function hitAt(view: View, point: Point, isFinger: boolean): Hit | undefi
 
 /** Whether a finger scrolls the page, because it is not on something draggable. */
 export function scrollsPage({ view, actions }: GestureContext, { point, isFinger, letsPageScroll }: Press): boolean {
-  if (!isFinger || !letsPageScroll || actions.tool === 'add' || isOnHandle(view, point, FINGER_SLACK)) return false
+  if (!isFinger || !letsPageScroll || actions.tools.tool === 'add' || isOnHandle(view, point, FINGER_SLACK))
+    return false
   const hit = hitAt(view, point, true)
-  return hit === undefined || hit.part === 'cell' || actions.circle(hit.id) === undefined
+  return hit === undefined || hit.part === 'cell' || actions.circles.circle(hit.id) === undefined
 }
 
 /** The gesture of a finger that scrolls the page: a tap selects. */
@@ -64,26 +65,26 @@ export function gestureOn(context: GestureContext, press: Press): Gesture {
   const { view, actions } = context
   const { point, isFinger, button, shiftKey, letsPageScroll } = press
   const slack = isFinger ? FINGER_SLACK : 0
-  if (button === MIDDLE || actions.tool === 'pan') return new Pan(view, point)
-  if (actions.tool === 'add') return new AddCircle(context, point)
-  if (actions.tool === 'draw') return new DrawRegion(context, point)
+  if (button === MIDDLE || actions.tools.tool === 'pan') return new Pan(view, point)
+  if (actions.tools.tool === 'add') return new AddCircle(context, point)
+  if (actions.tools.tool === 'draw') return new DrawRegion(context, point)
   const pathEnd = view.pathEndAt(point, slack)
   if (pathEnd !== undefined) return new MovePathEnd(view, pathEnd)
   const center = view.handleAt(point, slack)
   if (center !== undefined) return onHandle(context, point, center)
 
   const hit = hitAt(view, point, isFinger)
-  if (shiftKey) return new SelectWithin(context, point, () => hit !== undefined && actions.toggle(hit.id))
-  if (hit === undefined) return new Pan(view, point, () => actions.select([]))
+  if (shiftKey) return new SelectWithin(context, point, () => hit !== undefined && actions.selection.toggle(hit.id))
+  if (hit === undefined) return new Pan(view, point, () => actions.selection.select([]))
   const { id, part, inReach = 0 } = hit
-  const circle = actions.circle(id)
-  const isSelected = actions.isSelected(id)
+  const circle = actions.circles.circle(id)
+  const isSelected = actions.selection.isSelected(id)
   const isCrowded = inReach > MOST_IN_REACH && !isSelected && !letsPageScroll
-  const click = () => (isFinger ? tap(context, hit) : actions.select([id]))
+  const click = () => (isFinger ? tap(context, hit) : actions.selection.select([id]))
   // A circle that is gone can still be selected.
   if (part === 'cell' || isCrowded || circle === undefined) return new Pan(view, point, click)
   const grab = () => {
-    if (!isSelected) actions.select([id])
+    if (!isSelected) actions.selection.select([id])
     // A finger covers a whole circle, so that it is selected before it is resized.
     const isResized = part === 'rim' && !isSeveral(context) && (!isFinger || isSelected)
     return isResized ? new Resize(context, point, { id, circle }) : new Drag(context, point, id)
@@ -94,12 +95,12 @@ export function gestureOn(context: GestureContext, press: Press): Gesture {
 /** The gesture that begins when a press becomes a long press; `undefined` if the present gesture goes on. */
 export function gestureOnHold(context: GestureContext, { point, isFinger }: Press): Gesture | undefined {
   const { view, actions } = context
-  const { tool } = actions
+  const { tool } = actions.tools
   const hit = hitAt(view, point, isFinger)
   const isOnCircle = hit !== undefined && hit.part !== 'cell'
   if (isFinger && tool === 'select' && isOnCircle) {
-    if (actions.isSelected(hit.id)) return undefined
-    actions.toggle(hit.id)
+    if (actions.selection.isSelected(hit.id)) return undefined
+    actions.selection.toggle(hit.id)
     navigator.vibrate?.(VIBRATION)
     return new Drag(context, point, hit.id)
   }
@@ -107,7 +108,7 @@ export function gestureOnHold(context: GestureContext, { point, isFinger }: Pres
     tool === 'select' &&
     !isOnHandle(view, point, isFinger ? FINGER_SLACK : 0) &&
     !isOnCircle &&
-    actions.fitted(view.toPlane(point)) !== undefined
+    actions.circles.fitted(view.toPlane(point)) !== undefined
   if (tool !== 'add' && !isEmpty) return undefined
   const showsDisc = isFinger && view.layers.disc && tool === 'select'
   return showsDisc ? new ShowDisc(view, point) : new TryCircle(context, point)
@@ -115,7 +116,7 @@ export function gestureOnHold(context: GestureContext, { point, isFinger }: Pres
 
 /** The gesture of the selection's handle. */
 function onHandle(context: GestureContext, point: Point, center: Point): Gesture {
-  const [only, ...others] = context.actions.selectedCircles()
+  const [only, ...others] = context.actions.circles.selectedCircles()
   // A single point has no size to scale, so its radius is dragged instead.
   if (only !== undefined && others.length === 0) return new Resize(context, point, only)
   return new Scale(context, point, center)
@@ -128,10 +129,10 @@ function isOnHandle(view: View, point: Point, slack: number): boolean {
 /** Selects the circle that a finger taps. A tap adds to several selected circles, as there is no Shift key. */
 function tap(context: GestureContext, hit: Hit | undefined): void {
   const { actions } = context
-  if (hit !== undefined && hit.part !== 'cell' && isSeveral(context)) actions.toggle(hit.id)
-  else actions.select(hit === undefined ? [] : [hit.id])
+  if (hit !== undefined && hit.part !== 'cell' && isSeveral(context)) actions.selection.toggle(hit.id)
+  else actions.selection.select(hit === undefined ? [] : [hit.id])
 }
 
 function isSeveral({ actions }: GestureContext): boolean {
-  return actions.selectedCircles().length > 1
+  return actions.circles.selectedCircles().length > 1
 }

@@ -27,12 +27,12 @@ export class Resize implements Gesture {
     const { view, editing, actions } = this.#context
     const { id, circle } = this.#held
     const resized = { ...circle, r: Math.max(this.#distanceTo(to) + this.#offset, 0) }
-    const next = snaps ? actions.snapped(resized, snapDistance(view), true) : resized
+    const next = snaps ? actions.circles.snapped(resized, snapDistance(view), true) : resized
     editing.replace([{ id, circle: next }], this.#gesture)
   }
 
   click(): void {
-    this.#context.actions.select([this.#held.id])
+    this.#context.actions.selection.select([this.#held.id])
   }
 
   cancel(): void {

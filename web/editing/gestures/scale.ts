@@ -14,7 +14,7 @@ export class Scale implements Gesture {
   constructor(context: GestureContext, from: Point, center: Point) {
     this.#context = context
     this.#gesture = context.editing.beginGesture()
-    this.#held = context.actions.selectedCircles()
+    this.#held = context.actions.circles.selectedCircles()
     this.#center = center
     this.#distance = this.#distanceTo(from)
   }

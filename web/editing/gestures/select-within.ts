@@ -25,7 +25,7 @@ export class SelectWithin implements Gesture {
     const { view, actions } = this.#context
     this.cancel()
     const [one, other] = [view.toPlane(this.#from), view.toPlane(this.#last)]
-    actions.selectWithin({
+    actions.selection.selectWithin({
       minX: Math.min(one.x, other.x),
       minY: Math.min(one.y, other.y),
       maxX: Math.max(one.x, other.x),

@@ -21,7 +21,7 @@ export class TryCircle implements Gesture {
     const { view, actions } = this.#context
     for (let shown: Point | undefined; shown !== this.#last && !this.#isOver; ) {
       shown = this.#last
-      await view.tryCircle(actions.fitted(shown))
+      await view.tryCircle(actions.circles.fitted(shown))
     }
     this.#isFollowing = false
   }
@@ -33,7 +33,7 @@ export class TryCircle implements Gesture {
 
   end(): void {
     this.cancel()
-    this.#context.actions.addFitting(this.#last)
+    this.#context.actions.circles.addFitting(this.#last)
   }
 
   cancel(): void {

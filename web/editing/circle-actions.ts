@@ -6,56 +6,67 @@ import type { Domain } from '../view/domain.ts'
 import { roundStep } from '../view/round-step.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { short } from '../view/short.ts'
+import type { Store } from '../view/store.ts'
+import type { View } from '../view/view.ts'
 import { type IdentifiedCircle, middleOf, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
-import { USUAL_RADIUS } from './camera-actions.ts'
-import { OpeningActions } from './opening-actions.ts'
+import { type CameraActions, USUAL_RADIUS } from './camera-actions.ts'
+import type { Editing } from './editing.ts'
+import type { FigureActions } from './figure-actions.ts'
+import type { Messages } from './messages.ts'
+import type { SelectionActions } from './selection-actions.ts'
+import type { State } from './state.ts'
+import type { Tools } from './tools.ts'
 
 /** Offset of a copy from its original, in pixels. */
 const ASIDE = 16
 
-/** Draws a polygon corner by corner. */
-export interface Pen {
-  /** Moves the next corner. */
-  move(point: Point): void
-  /** Places a corner. At the first corner, `within` a distance in units, it closes the polygon. */
-  place(point: Point, within: number): void
-  close(): void
-  /** Handles a key, and returns whether it used the key. `step` is that of arrow keys, in units. */
-  key(key: string, step: number): boolean
-  /** Removes the last corner. Returns false if there is none. */
-  undo(): boolean
-}
-
-/**
- * Everything that a user can do with circles. Input handlers and panels call these methods; apart from results of the
- * backend, nothing else changes the state.
- */
-export class EditorActions extends OpeningActions {
+/** Adding, changing and removing circles. */
+export class CircleActions {
+  readonly #store: Store<State>
+  readonly #editing: Editing
+  readonly #view: View
+  readonly #camera: CameraActions
+  readonly #selection: SelectionActions
+  readonly #tools: Tools
+  readonly #messages: Messages
   /** Whether the circles can be selected but not edited. */
   isReadonly = false
-  /** Draws regions with the tool `draw`. */
-  pen: Pen | undefined
   #pending: Promise<unknown> | undefined
 
+  constructor(
+    store: Store<State>,
+    editing: Editing,
+    view: View,
+    { camera, selection, tools, messages }: Pick<FigureActions, 'camera' | 'selection' | 'tools' | 'messages'>,
+  ) {
+    this.#store = store
+    this.#editing = editing
+    this.#view = view
+    this.#camera = camera
+    this.#selection = selection
+    this.#tools = tools
+    this.#messages = messages
+  }
+
   circle(id: number): Circle | undefined {
-    return this.isReadonly ? undefined : this.editing.circles.get(id)
+    return this.isReadonly ? undefined : this.#editing.circles.get(id)
   }
 
   beginGesture(): number {
-    return this.editing.beginGesture()
+    return this.#editing.beginGesture()
   }
 
   /** The selected circles, with pending edits applied. */
   selectedCircles(): IdentifiedCircle[] {
     if (this.isReadonly) return []
-    return this.store.get().selection.flatMap((id) => {
-      const circle = this.editing.latest(id)
+    return this.#store.get().selection.flatMap((id) => {
+      const circle = this.#editing.latest(id)
       return circle === undefined ? [] : [{ id, circle }]
     })
   }
 
   set(changes: readonly IdentifiedCircle[], gesture = this.beginGesture()): void {
-    this.editing.replace(changes, gesture)
+    this.#editing.replace(changes, gesture)
   }
 
   /**
@@ -66,12 +77,12 @@ export class EditorActions extends OpeningActions {
   setDomain(change: Partial<Domain>, gesture?: number, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     const { region } = change
     const plain = region === undefined ? change : { ...change, region: plainRegion(region) }
-    return this.editing.edit(edits, gesture, plain)
+    return this.#editing.edit(edits, gesture, plain)
   }
 
   /** Applies all edits or none as one undo step. Resolves to `undefined` if refused. */
   edit(edits: readonly Edit[]): Promise<Edited | undefined> {
-    return this.editing.edit(edits)
+    return this.#editing.edit(edits)
   }
 
   /** Adds circles and selects them. Returns their ids, or none if they were refused. */
@@ -81,14 +92,18 @@ export class EditorActions extends OpeningActions {
 
   async #add(circles: readonly Circle[], gesture: number): Promise<readonly number[]> {
     if (this.isReadonly) return []
-    const edited = await this.editing.edit(
+    const edited = await this.#editing.edit(
       circles.map((circle) => ({ kind: 'insert', circle })),
       gesture,
     )
     if (edited === undefined) return []
     const ids = [...edited.inserted]
-    this.select(ids)
-    this.say(ids.length === 1 ? this.words.added(this.called(ids[0] as number)) : this.words.addedMany(ids.length))
+    this.#selection.select(ids)
+    this.#messages.say(
+      ids.length === 1
+        ? this.#messages.words.added(this.#messages.called(ids[0] as number))
+        : this.#messages.words.addedMany(ids.length),
+    )
     return ids
   }
 
@@ -101,19 +116,19 @@ export class EditorActions extends OpeningActions {
   async addInRoom(): Promise<void> {
     if (this.isReadonly) return
     const gesture = this.beginGesture()
-    const { x, y, scale } = this.view.camera
+    const { x, y, scale } = this.#view.camera
     const usual = USUAL_RADIUS / scale
-    const room = await this.view.ask('room', x, y)
+    const room = await this.#view.ask('room', x, y)
     const circle = room === undefined ? { x, y, r: usual } : { ...room, r: Math.min(room.r, usual) }
     const ids = await this.add([circle], gesture)
-    if (ids[0] !== undefined) this.revealCircle(ids[0])
+    if (ids[0] !== undefined) this.#camera.revealCircle(ids[0])
   }
 
   /** A new circle at a point, with some room to the nearest circle; `undefined` where none fits. */
   fitted({ x, y }: Point): Circle | undefined {
     if (this.isReadonly) return undefined
-    const usual = USUAL_RADIUS / this.view.camera.scale
-    const nearest = this.view.hitAt({ x, y }, 0)
+    const usual = USUAL_RADIUS / this.#view.camera.scale
+    const nearest = this.#view.hitAt({ x, y }, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
     return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
@@ -121,32 +136,36 @@ export class EditorActions extends OpeningActions {
 
   /** Adds copies of the selected circles at an offset. */
   async duplicateSelected(): Promise<void> {
-    const aside = roundStep(ASIDE / this.view.camera.scale)
+    const aside = roundStep(ASIDE / this.#view.camera.scale)
     const circles = this.selectedCircles().map(({ circle: { x, y, r } }) => ({
       x: stepped(x, aside),
       y: stepped(y, -aside),
       r,
     }))
     const { length } = circles.length > 0 ? await this.add(circles) : []
-    if (length > 0) this.say(this.words.duplicated(length))
+    if (length > 0) this.#messages.say(this.#messages.words.duplicated(length))
   }
 
   /** Adds copies of circles: at an offset, or in the middle of the view if they are outside. */
   async paste(circles: readonly Circle[], times: number): Promise<void> {
     const { x, y } = middleOf(circles)
-    const { camera } = this.view
+    const { camera } = this.#view
     const aside = times * roundStep(ASIDE / camera.scale)
-    const [dx, dy] = this.shows({ x, y }) ? [aside, -aside] : [camera.x + aside - x, camera.y - aside - y]
+    const [dx, dy] = this.#camera.shows({ x, y }) ? [aside, -aside] : [camera.x + aside - x, camera.y - aside - y]
     await this.add(circles.map((circle) => ({ x: stepped(circle.x, dx), y: stepped(circle.y, dy), r: circle.r })))
   }
 
   async removeSelected(): Promise<void> {
     const ids = this.selectedCircles().map(({ id }) => id)
     if (ids.length === 0) return
-    this.select([])
-    const edited = await this.editing.edit(ids.map((id) => ({ kind: 'remove', id })))
+    this.#selection.select([])
+    const edited = await this.#editing.edit(ids.map((id) => ({ kind: 'remove', id })))
     if (edited === undefined) return
-    this.say(ids.length === 1 ? this.words.deleted(this.called(ids[0] as number)) : this.words.deletedMany(ids.length))
+    this.#messages.say(
+      ids.length === 1
+        ? this.#messages.words.deleted(this.#messages.called(ids[0] as number))
+        : this.#messages.words.deletedMany(ids.length),
+    )
   }
 
   /** Moves the selected circles in steps that keep their coordinates short. */
@@ -175,8 +194,8 @@ export class EditorActions extends OpeningActions {
     const [only, ...others] = changed
     if (only === undefined) return
     const { x, y, r } = only.circle
-    const numbers = () => this.words.numbers(this.called(only.id), short(x), short(y), short(r))
-    this.say(others.length === 0 ? numbers() : this.words.moved(changed.length))
+    const numbers = () => this.#messages.words.numbers(this.#messages.called(only.id), short(x), short(y), short(r))
+    this.#messages.say(others.length === 0 ? numbers() : this.#messages.words.moved(changed.length))
   }
 
   /**
@@ -184,22 +203,22 @@ export class EditorActions extends OpeningActions {
    * changes its radius.
    */
   snapped(circle: Circle, within: number, sizes: boolean): Circle {
-    const grid = gridSpacing(this.view.camera.scale)
+    const grid = gridSpacing(this.#view.camera.scale)
     // Circles on a visible grid always have its coordinates, and do not touch their neighbors instead.
-    const snapping = this.view.layers.grid
+    const snapping = this.#view.layers.grid
       ? { others: [], grid, within: grid }
-      : { others: this.neighbors(), grid, within }
+      : { others: this.#selection.neighbors(), grid, within }
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
   }
 
   /** While a polygon is drawn, undo removes its last corner. */
   async undo(): Promise<void> {
-    if (this.tool === 'draw' && this.pen?.undo() === true) return
-    await this.#selecting(() => this.#go(() => this.editing.undo()))
+    if (this.#tools.tool === 'draw' && this.#tools.pen?.undo() === true) return
+    await this.#selecting(() => this.#go(() => this.#editing.undo()))
   }
 
   redo(): Promise<void> {
-    return this.#selecting(() => this.#go(() => this.editing.redo()))
+    return this.#selecting(() => this.#go(() => this.#editing.redo()))
   }
 
   /** Settles once all edits that select circles are done; `undefined` if none are pending. */
@@ -218,14 +237,14 @@ export class EditorActions extends OpeningActions {
 
   async #go(go: () => Promise<Edited | undefined>): Promise<void> {
     if (this.isReadonly) return
-    const { scene } = this.editing
-    const { lattice } = this.editing.domain
+    const { scene } = this.#editing
+    const { lattice } = this.#editing.domain
     const edited = await go()
     const ids = [...(edited?.inserted ?? [])]
-    if (ids.length > 0) this.select(ids)
-    if (ids.length === 1) this.revealCircle(ids[0] as number)
-    if (this.editing.scene !== scene) this.view.setCamera(this.fittedTo(this.editing.circles.box()))
+    if (ids.length > 0) this.#selection.select(ids)
+    if (ids.length === 1) this.#camera.revealCircle(ids[0] as number)
+    if (this.#editing.scene !== scene) this.#view.setCamera(this.#camera.fittedTo(this.#editing.circles.box()))
     // Circles may have moved into the box, or back.
-    else if (this.editing.domain.lattice !== lattice) this.look(undefined)
+    else if (this.#editing.domain.lattice !== lattice) this.#camera.look(undefined)
   }
 }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Attributes } from '../editing/attributes.ts'
+import type { Editing, Outcome } from '../editing/editing.ts'
+import type { Layers } from '../view/layers.ts'
+import type { View } from '../view/view.ts'
+import { cellValues } from './cell-values.ts'
+import type { Photo } from './files/files-protocol.ts'
+
+/** The layers of a photo. */
+const MOSAIC = { fullColor: true, circles: false, edges: false, vertices: false } as const
+
+/** Colors by columns, and mosaics of photos. */
+export class ColoringActions {
+  readonly #editing: Editing
+  readonly #view: View
+  /** The photos of the session by the attributes of their circles, which undo brings back, too. */
+  readonly photos = new WeakMap<Attributes, Photo>()
+  /** The attributes of the current colors. */
+  #attributes: Attributes | undefined
+  /** The layers that the last photo replaced. */
+  #beforeMosaic: Partial<Layers> = { fullColor: false, circles: true, edges: true, vertices: true }
+
+  constructor(editing: Editing, view: View) {
+    this.#editing = editing
+    this.#view = view
+  }
+
+  /** Colors cells by a column; an unknown name ends coloring by column. */
+  colorBy(name: string): void {
+    const { circles, attributes } = this.#editing
+    const column = attributes.columns.find((column) => column.name === name)
+    const valueAt = (id: number) => column?.values[id]
+    this.#view.setLayers({ column: column && cellValues(column, circles, valueAt) })
+  }
+
+  /** Updates the colors after an edit, a change of values or an opening. Call with each outcome. */
+  follow({ edited, isOpened }: Outcome): void {
+    const { attributes } = this.#editing
+    if (isOpened) this.#showMosaic(this.photos.has(attributes))
+    const { column } = this.#view.layers
+    const isOther = isOpened || attributes !== this.#attributes || edited.inserted.length > 0
+    this.#attributes = attributes
+    if (column !== undefined && isOther) this.colorBy(column.name)
+  }
+
+  /** Shows the circles of a photo as a mosaic, and others with the layers from before. */
+  #showMosaic(isPhoto: boolean): void {
+    const { fullColor, circles, edges, vertices } = this.#view.layers
+    const isMosaic = fullColor && !circles && !edges && !vertices
+    if (isPhoto === isMosaic) return
+    if (isPhoto) this.#beforeMosaic = { fullColor, circles, edges, vertices }
+    this.#view.setLayers(isPhoto ? MOSAIC : this.#beforeMosaic)
+  }
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Padding } from '../view/camera.ts'
+import type { Store } from '../view/store.ts'
+import type { View } from '../view/view.ts'
+import { CameraActions } from './camera-actions.ts'
+import { CircleActions } from './circle-actions.ts'
+import type { Editing } from './editing.ts'
+import { Messages } from './messages.ts'
+import { OpeningActions } from './opening-actions.ts'
+import { SelectionActions } from './selection-actions.ts'
+import type { State } from './state.ts'
+import { Tools } from './tools.ts'
+
+/**
+ * Everything that a user can do with a figure, by what it is about. Input handlers and panels call these actions; apart
+ * from results of the thread, nothing else changes the state.
+ */
+export interface FigureActions {
+  readonly camera: CameraActions
+  readonly selection: SelectionActions
+  readonly tools: Tools
+  readonly messages: Messages
+  readonly opening: OpeningActions
+  readonly circles: CircleActions
+}
+
+/** `padding` is kept free when everything is shown. */
+export function figureActions(
+  store: Store<State>,
+  editing: Editing,
+  view: View,
+  padding: () => Padding,
+): FigureActions {
+  const messages = new Messages(store, editing)
+  const tools = new Tools(store, messages)
+  const camera = new CameraActions(store, editing, view, padding)
+  const selection = new SelectionActions(store, editing, view, camera, messages)
+  const shared = { camera, selection, tools, messages }
+  return {
+    ...shared,
+    opening: new OpeningActions(store, editing, view, shared),
+    circles: new CircleActions(store, editing, view, shared),
+  }
+}
+
+/** Ends the current tool; without one, clears the selection. */
+export function release({ tools, selection }: FigureActions): void {
+  if (tools.tool !== 'select') tools.useTool('select')
+  else selection.select([])
+}
