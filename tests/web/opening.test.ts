@@ -173,7 +173,7 @@ describe('the link of what is shown', () => {
   })
 
   it.each<[string, () => unknown, readonly string[]]>([
-    ['the viewport', () => page.actions.camera.look({ x: 7, y: 1, span: 3 }), ['view']],
+    ['the viewport', () => page.actions.camera.showView({ x: 7, y: 1, span: 3 }), ['view']],
     ['layers', () => page.view.setLayers({ hull: true }), ['layers']],
     ['a step', () => showStep(page.store, 0, 'auto'), ['step', 'method']],
     ['periods', () => page.actions.domain.setLattice(LATTICE), ['lattice']],

@@ -149,12 +149,12 @@ const THINGS: Record<string, readonly [Partial<Above>, Readonly<Record<string, B
   ],
   'a new circle': [{ trial: { ...trial, hiddenBy: undefined, taken: [] } }, { accent: [150, 100, 250, 200] }],
   'one selected circle': [
-    { chosen: { circles: Float64Array.of(1, 1, 2), box: { minX: -1, minY: -1, maxX: 3, maxY: 3 } } },
+    { selection: { circles: Float64Array.of(1, 1, 2), box: { minX: -1, minY: -1, maxX: 3, maxY: 3 } } },
     { accent: [233, 163, 241, 171] },
   ],
   'several selected circles, of which one is outside': [
     {
-      chosen: {
+      selection: {
         circles: Float64Array.of(1, 1, 2, -4, 1, 1, 90, 0, 1),
         box: { minX: -5, minY: -1, maxX: 3, maxY: 3 },
       },

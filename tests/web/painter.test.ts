@@ -2,12 +2,12 @@
 import fc from 'fast-check'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
-import { BasePicture, MOST_ENLARGED } from '../../web/view/base-picture.ts'
 import { toPlane, toScreen } from '../../web/view/camera.ts'
 import { Tiles } from '../../web/view/painter/tiles.ts'
 import { type Grid, type PaintRequest, type PixelBox, TILE } from '../../web/view/protocol.ts'
 import type { Painted } from '../../web/view/scene-client.ts'
 import type { Style } from '../../web/view/style.ts'
+import { MOST_ENLARGED, TileBuffer } from '../../web/view/tile-buffer.ts'
 import { action as actionOf } from './arbitrary-circles.ts'
 import { Canvas } from './page-canvas.ts'
 
@@ -148,7 +148,7 @@ describe('the base picture', () => {
   it('shows pixels where they belong, none from before an edit, and is whole once its newest request is painted', () => {
     fc.assert(
       fc.property(fc.array(action, length), fc.constantFrom(1, 2), (script, ratio) => {
-        const picture = new BasePicture()
+        const picture = new TileBuffer()
         let camera = { x: 0, y: 0, scale: 1 }
         let [edits, images, isWhole, isBegun] = [0, 0, false, false]
         /** Points of the plane that were seen sharply. */
@@ -180,10 +180,10 @@ describe('the base picture', () => {
           const request = requests.at('isLate' in action && action.isLate && !isBegun ? -2 : -1)
           if (action.kind === 'look') {
             camera = { x: action.x, y: action.y, scale: action.scale }
-            note(picture.see(camera, SIZE, ratio))
-            expect(picture.see(camera, SIZE, ratio)).toBeUndefined()
+            note(picture.request(camera, SIZE, ratio))
+            expect(picture.request(camera, SIZE, ratio)).toBeUndefined()
           } else if (request === undefined) continue
-          else if (action.kind === 'again') note(picture.again(camera, SIZE))
+          else if (action.kind === 'again') note(picture.requestAll(camera, SIZE))
           else {
             const { grid, paintId } = request
             const isEdit = action.kind === 'edit'

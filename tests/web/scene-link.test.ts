@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import { cameraLooking, cameraOf, regionOfLink } from '../../web/editing/scene-link.ts'
+import { cameraOf, cameraShowing, regionOfLink } from '../../web/editing/scene-link.ts'
 import { fitted, NO_PADDING } from '../../web/view/camera.ts'
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { ring } from './shapes.ts'
@@ -36,14 +36,14 @@ describe('the viewport of a link', () => {
   const whole = fitted(box, size, NO_PADDING)
   const look = (x: number, y: number, zoom: number) => {
     const view = { x, y, span: 100 / (zoom * whole.scale) }
-    const camera = cameraLooking(view, box, size, NO_PADDING)
+    const camera = cameraShowing(view, box, size, NO_PADDING)
     if (camera.scale === whole.scale && camera.x === whole.x && camera.y === whole.y) return 'whole'
     expect(camera).toEqual(cameraOf(view, size))
     return 'own'
   }
 
   it('is used near the circles, within the limits of zooming', () => {
-    expect(cameraLooking(undefined, box, size, NO_PADDING)).toEqual(whole)
+    expect(cameraShowing(undefined, box, size, NO_PADDING)).toEqual(whole)
     const cases = [
       [-10, 25, 1, 'own'],
       [-10.1, 25, 1, 'whole'],

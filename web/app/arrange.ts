@@ -28,7 +28,7 @@ export function arrangeAround(view: View, actions: FigureActions): void {
     queueMicrotask(look)
   })
   const observer = new ResizeObserver(() => {
-    if (isWhole && !camera.isWhole) camera.look(undefined)
+    if (isWhole && !camera.isWhole) camera.showView(undefined)
     uncoverPath(view, actions, padding)
     padding = camera.covered()
   })

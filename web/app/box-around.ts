@@ -2,7 +2,7 @@
 import type { Box, Lattice, Point } from '../lib/index.ts'
 
 /** The room around circles, as a share of their larger side. */
-const ROOM = 0.05
+const MARGIN = 0.05
 /** Circles stay where they are if they begin so near to the origin, as a share of their side. */
 const NEAR = 0.25
 
@@ -10,7 +10,7 @@ const NEAR = 0.25
 export function boxAround(circles: Box, count: number): { readonly lattice: Lattice; readonly move: Point } {
   if (count === 0) return { lattice: { a: [10, 0], b: [0, 10] }, move: { x: 0, y: 0 } }
   const [width, height] = [circles.maxX - circles.minX, circles.maxY - circles.minY]
-  const room = ROOM * Math.max(width, height) || 0.5
+  const room = MARGIN * Math.max(width, height) || 0.5
   const x = along(circles.minX, circles.maxX, room)
   const y = along(circles.minY, circles.maxY, room)
   return { lattice: { a: [x.period, 0], b: [0, y.period] }, move: { x: x.move, y: y.move } }

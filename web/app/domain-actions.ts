@@ -67,7 +67,7 @@ export class DomainActions {
     const edits = lattice !== undefined && (isMoved || areas !== undefined) ? this.#withRadii(move) : []
     const change = lattice === undefined ? { lattice } : { lattice, region: undefined, areas: undefined }
     const edited = await this.setDomain(change, undefined, edits)
-    if (edited !== undefined && lattice !== undefined) this.#actions.camera.look(undefined)
+    if (edited !== undefined && lattice !== undefined) this.#actions.camera.showView(undefined)
   }
 
   /** The names of numeric columns. */

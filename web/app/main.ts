@@ -69,7 +69,7 @@ export const figure = new Figure(
     onoutcome: (outcome) => {
       actions.coloring.follow(outcome)
       // The initial data set is not saved.
-      if (hasShown) keeping.changed()
+      if (hasShown) persistence.changed()
       hasShown = true
     },
   },
@@ -78,8 +78,8 @@ const { view, store, editing, actions } = figure
 const complain = (problem: string) => actions.messages.complain(problem)
 
 const links = new LinkWriter(files)
-const keeping = new StatePersistence(links, () => actions.opening.linkState())
-view.on('layers', () => keeping.changed())
+const persistence = new StatePersistence(links, () => actions.opening.linkState())
+view.on('layers', () => persistence.changed())
 
 const openFile = async (file: File) => {
   const opening = await fileActions().catch(() => complain(NOT_LOADED))
@@ -176,7 +176,7 @@ panelLater('region', complain, async () => {
   mountRegion(store, actions, await fileActions(), pen)
 })
 
-const kept = await keeping.begin()
+const kept = await persistence.begin()
 // The user may have opened something else by now.
 const open = () => (kept === undefined ? 'refused' : actions.data.openLink(kept))
 const begun = actions.opening.hasOpened ? 'superseded' : await open()
@@ -199,7 +199,7 @@ if (begun === 'refused') {
   firstPicture?.remove()
   if (begun === 'superseded') {
     hasShown = true
-    keeping.changed()
+    persistence.changed()
   }
 }
 arrangeAround(view, actions)
@@ -213,10 +213,10 @@ import('./printing.ts').then(
   // The screen is printed.
   () => {},
 )
-view.on('camera', () => keeping.changed())
+view.on('camera', () => persistence.changed())
 let step = store.get().step
 store.subscribe((state) => {
-  if (state.step !== step) keeping.changed()
+  if (state.step !== step) persistence.changed()
   step = state.step
 })
 let addresses = 0
@@ -226,9 +226,9 @@ const openAddress = async () => {
   const { hash } = location
   const how = hash === '' ? 'opened' : await actions.data.openLink(hash)
   // The same address may have been requested again.
-  if (turn === addresses) keeping.wasOpened(hash, how === 'opened')
+  if (turn === addresses) persistence.wasOpened(hash, how === 'opened')
 }
 window.addEventListener('hashchange', openAddress)
 // The address may have changed during loading.
-if (keeping.isAddressNew) await openAddress()
+if (persistence.isAddressNew) await openAddress()
 await workOffline()

@@ -3,8 +3,8 @@ import type { Padding } from '../view/camera.ts'
 import { byId } from './panels/by-id.ts'
 
 /** Space between circles and the panels around them, in pixels. */
-const ROOM = 16
-const ROOM_AT_EDGE = 32
+const MARGIN = 16
+const MARGIN_AT_EDGE = 32
 /** The largest width of a panel that is no sheet, relative to the window. */
 const WIDEST = 0.7
 /** Height of a scene's initial caption, in rem. It disappears at the first touch without moving anything. */
@@ -43,13 +43,13 @@ export function paddingOfPage(): Padding {
   // The share card leaves room for the picture in wide windows.
   const beside = [player, ...(LOW.matches ? [share] : [])].find((box) => box.width > 0 && !isSheet(box))
   return {
-    top: boxOf('top').bottom + ROOM,
+    top: boxOf('top').bottom + MARGIN,
     right:
       (isAside ? SAID_ASIDE * rem : 0) +
-      (beside !== undefined ? innerWidth - beside.left + ROOM : isBelow ? ROOM : ROOM_AT_EDGE),
+      (beside !== undefined ? innerWidth - beside.left + MARGIN : isBelow ? MARGIN : MARGIN_AT_EDGE),
     // A sheet covers the caption.
-    bottom: innerHeight - Math.min(...(sheets.length > 0 ? [lowest, ...sheets] : [free])) + ROOM,
-    left: Math.max(...left) + ROOM,
+    bottom: innerHeight - Math.min(...(sheets.length > 0 ? [lowest, ...sheets] : [free])) + MARGIN,
+    left: Math.max(...left) + MARGIN,
   }
 }
 
@@ -58,5 +58,5 @@ export function coveredOfPage(): Padding {
   const padding = paddingOfPage()
   const { left, width } = byId('share', HTMLElement).getBoundingClientRect()
   const isBeside = width > 0 && width <= WIDEST * innerWidth
-  return isBeside ? { ...padding, right: Math.max(padding.right, innerWidth - left + ROOM) } : padding
+  return isBeside ? { ...padding, right: Math.max(padding.right, innerWidth - left + MARGIN) } : padding
 }

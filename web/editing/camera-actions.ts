@@ -6,7 +6,7 @@ import { boxOf } from '../view/domain.ts'
 import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import type { Editing } from './editing.ts'
-import { cameraLooking, LARGEST_ZOOM, SMALLEST_ZOOM } from './scene-link.ts'
+import { cameraShowing, LARGEST_ZOOM, SMALLEST_ZOOM } from './scene-link.ts'
 import type { State } from './state.ts'
 
 /** Zoom factor of a button or key. */
@@ -67,7 +67,7 @@ export class CameraActions {
   }
 
   /** Applies a link's viewport if it shows any of the circles. Otherwise shows all circles. */
-  look(view: LinkView | undefined): void {
+  showView(view: LinkView | undefined): void {
     this.#view.setCamera(this.cameraFor(view, this.#box))
   }
 
@@ -106,7 +106,7 @@ export class CameraActions {
 
   /** The camera of a link's viewport if it shows any of the circles, else of all circles. */
   cameraFor(view: LinkView | undefined, box: Box): Camera {
-    return cameraLooking(view, box, this.#view.size, this.#padding())
+    return cameraShowing(view, box, this.#view.size, this.#padding())
   }
 
   fittedTo(box: Box): Camera {
@@ -123,7 +123,7 @@ export class CameraActions {
 
   /** Brings all given circles into view. */
   reveal(circles: readonly Circle[]): void {
-    if (!circles.every((circle) => this.shows(circle))) this.look(undefined)
+    if (!circles.every((circle) => this.shows(circle))) this.showView(undefined)
   }
 
   /** Whether a point is visible and not covered by a panel. */

@@ -245,6 +245,6 @@ export class CircleActions {
     if (ids.length === 1) this.#camera.revealCircle(ids[0] as number)
     if (this.#editing.scene !== scene) this.#view.setCamera(this.#camera.fittedTo(this.#editing.circles.box()))
     // Circles may have moved into the box, or back.
-    else if (this.#editing.domain.lattice !== lattice) this.#camera.look(undefined)
+    else if (this.#editing.domain.lattice !== lattice) this.#camera.showView(undefined)
   }
 }

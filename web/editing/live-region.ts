@@ -6,7 +6,7 @@ import { describeCell, type Speech } from './describe-cell.ts'
 import type { State } from './state.ts'
 
 /** Delay without further changes before an announcement, in milliseconds. Drags are announced at their end. */
-const REST = 250
+const ANNOUNCEMENT_DELAY = 250
 
 /**
  * Announces edits, and the selected circle with its cell, at rest, as they are then. A cell is announced again once it
@@ -18,7 +18,7 @@ export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: 
   /** The pending announcement, and the circle that the action selected. */
   let done: { readonly text: string; readonly id: number | undefined } | undefined
   /** The announced description of the selected circle. */
-  let told = ''
+  let announced = ''
 
   const descriptionOf = (state: State) => {
     const described = describedIn(state)
@@ -28,9 +28,9 @@ export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: 
     const selected = selectedIn(store.get())
     const description = descriptionOf(store.get())
     const texts = done === undefined ? [] : [done.text]
-    if (selected !== undefined && description !== '' && description !== told) {
+    if (selected !== undefined && description !== '' && description !== announced) {
       texts.push(done?.id === selected ? description : speech.words.circle(speech.called(selected), description))
-      told = description
+      announced = description
     }
     done = undefined
     // Screen readers announce a repeated text only if the node is new.
@@ -39,7 +39,7 @@ export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: 
   store.subscribe((state) => {
     const selected = selectedIn(state)
     const isSelected = selected !== selectedIn(before)
-    if (isSelected) told = ''
+    if (isSelected) announced = ''
     const isAction = state.said !== before.said
     if (isAction) done = { text: state.said.text, id: selected }
     const isOther = isAction || isSelected || state.highlights.selected !== before.highlights.selected
@@ -48,6 +48,6 @@ export function mountLiveRegion(store: Store<State>, said: HTMLElement, speech: 
     clearTimeout(timer)
     // The description of a newly selected circle arrives a moment later. Waiting for it allows one announcement for
     // both.
-    if (selected === undefined || describedIn(state) !== undefined) timer = setTimeout(say, REST)
+    if (selected === undefined || describedIn(state) !== undefined) timer = setTimeout(say, ANNOUNCEMENT_DELAY)
   })
 }

@@ -58,7 +58,7 @@ export const SMALLEST_ZOOM = 0.05
 export const LARGEST_ZOOM = 1e7
 
 /** The camera of a link's viewport if the viewport meets a box, else of the whole box. */
-export function cameraLooking(view: LinkView | undefined, box: Box, size: Size, padding: Padding): Camera {
+export function cameraShowing(view: LinkView | undefined, box: Box, size: Size, padding: Padding): Camera {
   const whole = fitted(box, size, padding)
   if (view === undefined) return whole
   const camera = cameraOf(view, size)

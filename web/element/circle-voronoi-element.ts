@@ -18,7 +18,7 @@ import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { toPNG, toSVG } from '../view/export.ts'
 import { keptLayers, type Layers } from '../view/layers.ts'
 import type { FigureLoadOptions } from '../view/load.ts'
-import { Paper } from '../view/paper.ts'
+import { PrintDrawing } from '../view/print-drawing.ts'
 import { shownValue } from '../view/refusal.ts'
 import { Rings } from '../view/rings.ts'
 import type { View } from '../view/view.ts'
@@ -197,7 +197,7 @@ export class CircleVoronoiElement extends Base {
   #stopWaiting: (() => void) | undefined
   /** The undo history of a figure that has ended, for when its circles are shown again. */
   #past: { readonly own: OpenRequest; readonly past: Past } | undefined
-  #paper: Paper | undefined
+  #printed: PrintDrawing | undefined
   /** The cached `value`, and the number of its change. */
   #cached: { readonly circles: Float64s; readonly change: number } | undefined
   /** The number of running changes by programs. Without any, changes are a reader's. */
@@ -357,7 +357,7 @@ export class CircleVoronoiElement extends Base {
         this.#play(this.#value('step'))
         break
       case 'view':
-        figure?.actions.camera.look(this.view)
+        figure?.actions.camera.showView(this.view)
     }
   }
 
@@ -663,11 +663,11 @@ export class CircleVoronoiElement extends Base {
       words: () => this.#words.others,
     })
     const { store, editing, view } = this.#figure
-    this.#paper = new Paper(paper, async () =>
+    this.#printed = new PrintDrawing(paper, async () =>
       view.size.width === 0 || editing.circles.count > MOST_DRAWN ? '' : toSVG(view),
     )
     for (const name of ['camera', 'layers', 'diagram', 'style', 'found', 'changed'] as const) {
-      view.on(name, () => this.#paper?.change())
+      view.on(name, () => this.#printed?.change())
     }
     let before: readonly number[] = []
     store.subscribe(({ selection }) => {
@@ -710,8 +710,8 @@ export class CircleVoronoiElement extends Base {
   #stop(): void {
     const figure = this.#figure
     if (figure === undefined) return
-    this.#paper?.dispose()
-    this.#paper = undefined
+    this.#printed?.dispose()
+    this.#printed = undefined
     if (figure.editing.scene !== undefined) {
       const { view, layers = {}, step, method } = figure.actions.opening.linkState() ?? {}
       const { region = null, lattice = null } = figure.editing.domain

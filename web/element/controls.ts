@@ -8,7 +8,7 @@ import { make, type Shell } from './shell.ts'
 import type { Words } from './words.ts'
 
 /** Margin around all circles, in pixels. Buttons need more room above. */
-const ROOM = 16
+const MARGIN = 16
 const BELOW_BUTTONS = 12
 const SVG = 'http://www.w3.org/2000/svg'
 
@@ -17,8 +17,8 @@ export function paddingBelow(controls: HTMLElement): Padding {
   const { clientHeight } = controls
   // In a narrow figure the buttons are below the picture.
   const isAbove = clientHeight > 0 && getComputedStyle(controls).position === 'absolute'
-  const top = isAbove ? clientHeight + BELOW_BUTTONS : ROOM
-  return { top, right: ROOM, bottom: ROOM, left: ROOM }
+  const top = isAbove ? clientHeight + BELOW_BUTTONS : MARGIN
+  return { top, right: MARGIN, bottom: MARGIN, left: MARGIN }
 }
 
 /** Mounts the buttons of a running figure. `isReadonly` leaves out the buttons that edit. */

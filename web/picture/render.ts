@@ -2,7 +2,7 @@
 import { Editing } from '../editing/editing.ts'
 import { namesOf, ownColorsOf } from '../editing/identity.ts'
 import { requestOf } from '../editing/open-request.ts'
-import { cameraLooking } from '../editing/scene-link.ts'
+import { cameraShowing } from '../editing/scene-link.ts'
 import { INITIAL_STATE } from '../editing/state.ts'
 import { checkOptionNames, isRecord, refuseInput, refuseOption, shown } from '../lib/base/check.ts'
 import { coordinatesOf } from '../lib/base/coordinates.ts'
@@ -43,7 +43,7 @@ export interface PictureOptions extends LoadOptions {
 }
 
 /** Margin around the circles if all are visible, in pixels, the same as in an element without buttons. */
-const ROOM = { top: 16, right: 16, bottom: 16, left: 16 }
+const MARGIN = { top: 16, right: 16, bottom: 16, left: 16 }
 const LONGEST_SIDE = 100_000
 
 /**
@@ -89,7 +89,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     if (problem !== undefined) throw problem
     const size = { width, height }
     const box = boxOf(boundingBox(circles), domain)
-    const frame = { ...cameraLooking(view, box, size, ROOM), ...size }
+    const frame = { ...cameraShowing(view, box, size, MARGIN), ...size }
     const style = themeStyle(scheme)
     const played = step === undefined ? undefined : playedAt(scene, step, method, scheme)
     const layers = played === undefined ? layersFrom(given) : withoutDiagram(layersFrom(given))

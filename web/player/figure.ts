@@ -137,7 +137,7 @@ export class Figure<Actions extends FigureActions = FigureActions> {
     }
     const { data } = this.view.layers
     if (layers !== undefined) this.view.setLayers({ ...layersFrom(layers), data })
-    if (view !== undefined) this.actions.camera.look(view)
+    if (view !== undefined) this.actions.camera.showView(view)
     if (step !== undefined) showStep(this.store, step, method)
   }
 

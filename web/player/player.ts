@@ -67,7 +67,7 @@ const MOST_WAITING = 6
 /** Space kept visible around the current line, in pixels. */
 const REVEALED = 24
 /** Delay after the last edit before the trace is loaded again, in milliseconds. */
-const REST = 150
+const LOADING_DELAY = 150
 
 let sheet: CSSStyleSheet | undefined
 
@@ -193,7 +193,7 @@ class MethodPlayer implements Player {
       else this.#setPlace(0)
     }
     this.pause()
-    this.ready = this.#load(REST)
+    this.ready = this.#load(LOADING_DELAY)
   }
 
   /** Loads the trace once `rest` milliseconds pass without another request. The old explanation stays until then. */

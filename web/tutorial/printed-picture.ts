@@ -9,14 +9,14 @@ import type { Arrow, Comparison } from './printed-rules.ts'
 export { compare, loadPrintedRules, sentenceOf } from './printed-rules.ts'
 
 /** Margin around all circles in pixels, the same as in a figure without buttons. */
-const ROOM = 16
+const MARGIN = 16
 /** Length of arrow heads, in pixels. */
 const HEAD = 8
 
 /** The camera of a figure that shows a view, or all circles. */
 export function lookAt(circles: Float64Array, view: LinkView | undefined, size: Size): Camera {
   if (view !== undefined) return cameraOf(view, size)
-  return fitted(boundingBox(circles), size, { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM })
+  return fitted(boundingBox(circles), size, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
 }
 
 /** Returns the attribute `viewBox` and the contents of the SVG for a camera. */

@@ -3,7 +3,7 @@ import { at } from '../lib/base/diagram-data.ts'
 import type { Box, PathSink, Point } from '../lib/index.ts'
 import { axesOf, NUMBER_SIZE } from './axes.ts'
 import type { Padding } from './camera.ts'
-import type { Chosen } from './chosen.ts'
+import type { DrawnSelection } from './drawn-selection.ts'
 import { LABEL_SIZE, type Label, type Names, placed } from './labels.ts'
 import type { Layers, OverlayLayer } from './layers.ts'
 import { replay } from './painter/commands.ts'
@@ -42,7 +42,7 @@ const CORNER = 4
 /** Distance of the resize handle from the corner of the selection's box, in pixels. */
 const HANDLE_DISTANCE = 7
 /** Long paths take more than linear time in browsers. */
-const CHOSEN_PER_PATH = 3 * 500
+const SELECTED_PER_PATH = 3 * 500
 
 const TEXT_SIZE = 12
 /** Width of the lines of a grid and of its axes, in pixels, and their opacity. */
@@ -67,7 +67,7 @@ export interface OverlayHighlights {
   readonly highlights: Highlights
   readonly touching: Touching | undefined
   readonly trial: Trial | undefined
-  readonly chosen: Chosen | undefined
+  readonly selection: DrawnSelection | undefined
   readonly rectangle: SelectionRectangle | undefined
   /** The corners of the polygon being drawn. */
   readonly sketch: Float64Array | undefined
@@ -77,7 +77,7 @@ export const NOT_HIGHLIGHTED: OverlayHighlights = {
   highlights: NO_HIGHLIGHTS,
   touching: undefined,
   trial: undefined,
-  chosen: undefined,
+  selection: undefined,
   rectangle: undefined,
   sketch: undefined,
 }
@@ -100,7 +100,7 @@ export function isOverlayEmpty({
   touching,
   trial,
   layers,
-  chosen,
+  selection,
   rectangle,
   sketch,
   overlays,
@@ -112,7 +112,7 @@ export function isOverlayEmpty({
     highlights.hovered,
     touching,
     trial,
-    chosen,
+    selection,
     rectangle,
     sketch,
     hull,
@@ -130,7 +130,19 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { highlights, found, touching, trial, layers, names, covered, chosen, rectangle, sketch, overlays }: OverlayContent,
+  {
+    highlights,
+    found,
+    touching,
+    trial,
+    layers,
+    names,
+    covered,
+    selection,
+    rectangle,
+    sketch,
+    overlays,
+  }: OverlayContent,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -184,7 +196,7 @@ export function drawOverlay(
   for (const layer of overlays) drawData(layer)
   if (selected !== undefined) drawSelected(selected)
   if (layers.labels) drawNames()
-  if (chosen !== undefined) drawChosen(chosen)
+  if (selection !== undefined) drawSelection(selection)
   if (trial !== undefined) drawTrial(trial)
   if (touching !== undefined && layers.disc) drawTouching(touching)
   if (rectangle !== undefined) drawRectangle(rectangle)
@@ -258,18 +270,18 @@ export function drawOverlay(
   }
 
   /** A single selected circle is highlighted already and needs only its handle. */
-  function drawChosen({ circles, box }: Chosen): void {
+  function drawSelection({ circles, box }: DrawnSelection): void {
     if (circles.length > 3) {
       let path = drawing.path()
       for (let k = 0; k < circles.length; k += 3) {
         const [x, y, r] = [to.x(at(circles, k)), to.y(at(circles, k + 1)), at(circles, k + 2) * frame.scale]
         if (x + r < 0 || y + r < 0 || x - r > frame.width || y - r > frame.height) continue
         addDisc(path, frame, x, y, Math.max(r, DOT_RADIUS * pixelRatio))
-        if (k % CHOSEN_PER_PATH !== 0) continue
-        drawChosenPath(path)
+        if (k % SELECTED_PER_PATH !== 0) continue
+        drawSelectionPath(path)
         path = drawing.path()
       }
-      drawChosenPath(path)
+      drawSelectionPath(path)
       stroke(rectanglePath(to.x(box.minX), to.y(box.maxY), to.x(box.maxX), to.y(box.minY)), style.accent, 1, [4, 4])
     }
     const { x, y } = handleOf(box, (corner) => ({ x: to.x(corner.x) / pixelRatio, y: to.y(corner.y) / pixelRatio }))
@@ -279,7 +291,7 @@ export function drawOverlay(
     stroke(square, style.accent, 1.5)
   }
 
-  function drawChosenPath(path: PathSink): void {
+  function drawSelectionPath(path: PathSink): void {
     outline(path, style.selectedDisc, NEIGHBOR_OUTLINE)
   }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Circle, Edit, Point } from '../lib/index.ts'
-import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { type Camera, NO_PADDING, type Padding, type Size, toPlane, toScreen } from './camera.ts'
-import { type Chosen, chosenOf } from './chosen.ts'
 import type { CircleTable, Hit, KeptIds } from './circle-table.ts'
+import { type DrawnSelection, drawnSelection } from './drawn-selection.ts'
 import { Events } from './events.ts'
 import type { Name, Names } from './labels.ts'
 import {
@@ -34,10 +33,11 @@ import type { Answer, Edited, Lost, SceneClient } from './scene-client.ts'
 import { Screen } from './screen.ts'
 import type { Store } from './store.ts'
 import type { Style } from './style.ts'
+import { MOST_ENLARGED, TileBuffer } from './tile-buffer.ts'
 import { NO_HIGHLIGHTS, selectedIn, type ViewState } from './view-state.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
-const REST = 80
+const SHARPENING_DELAY = 80
 
 /** The parts of the state that the overlay shows. */
 const DRAWN_ABOVE = ['camera', 'layers', 'selection', 'highlights', 'found'] as const
@@ -67,21 +67,21 @@ export interface ViewEvents {
 /** Shows circles and their diagram in an element of a page, seen by a camera. */
 export class View {
   readonly #screen: Screen
-  readonly #picture = new BasePicture()
+  readonly #tiles = new TileBuffer()
   readonly #scene: SceneClient
   readonly #store: Store<ViewState>
   #frame = 0
-  #rest: ReturnType<typeof setTimeout> | undefined
+  #sharpening: ReturnType<typeof setTimeout> | undefined
   /** The scale of the last paint request, and the scale of the highlighted outlines. */
-  #lookedAt = 1
+  #requestedScale = 1
   #outlinedAt = 1
-  #touching: Touching | undefined
+  #disc: Touching | undefined
   /** The position of the last request for a disc. Answers for older positions are ignored. */
-  #touchedAt: Point | undefined
+  #discAt: Point | undefined
   #trial: Trial | undefined
   #lastTrial = 0
   /** The selected circles as they are drawn; `undefined` if they have changed since. */
-  #chosen: { readonly drawn: Chosen | undefined } | undefined
+  #selection: { readonly drawn: DrawnSelection | undefined } | undefined
   #rectangle: SelectionRectangle | undefined
   #sketch: Float64Array | undefined
   #overlays: readonly OverlayLayer[] = []
@@ -108,8 +108,8 @@ export class View {
     this.#screen = new Screen(container, {
       resized: () => this.#drawAll(),
       restyled: () => {
-        this.#picture.clear()
-        this.#see()
+        this.#tiles.clear()
+        this.#requestTiles()
         this.#overlayChanges()
         this.#events.tell('style', undefined)
       },
@@ -117,17 +117,17 @@ export class View {
     })
     this.#scene = painter.add({
       painted: (painted) => {
-        const { painted: before } = this.#picture
-        this.#picture.put(painted)
+        const { painted: before } = this.#tiles
+        this.#tiles.put(painted)
         // Names wait for their cells.
-        if (this.#picture.painted !== before) this.#overlayChanged = true
+        if (this.#tiles.painted !== before) this.#overlayChanged = true
         // The disc belonged to the former circles.
-        if (painted.kind === 'edited') this.#touching = undefined
+        if (painted.kind === 'edited') this.#disc = undefined
         this.#baseChanged = true
         this.#schedule()
       },
       marked: (highlights) => {
-        this.#outlinedAt = this.#lookedAt
+        this.#outlinedAt = this.#requestedScale
         this.#update({ highlights })
         this.#events.tell('marked', highlights)
       },
@@ -152,7 +152,7 @@ export class View {
 
   /** Draws a new state, or asks the thread for what it lacks. */
   #follow(state: ViewState, before: ViewState): void {
-    if (state.selection !== before.selection) this.#chosen = undefined
+    if (state.selection !== before.selection) this.#selection = undefined
     if (state.layers !== before.layers) {
       if (isPathOnly(state.layers, before.layers)) this.#scene.findAgain(this.drawnLayers)
       else this.#drawLayers()
@@ -167,16 +167,16 @@ export class View {
    * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; the view stays unchanged
    */
   setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
-    this.#picture.clear()
+    this.#tiles.clear()
     const opened = this.#scene.open(circles, change, kept).then((edited) => {
-      this.#touching = undefined
+      this.#disc = undefined
       this.#findingChanges(undefined)
       return edited
     })
-    this.#see()
+    this.#requestTiles()
     // The old pixels stay until new ones arrive, but the picture is incomplete.
     this.#schedule()
-    return this.#told(opened)
+    return this.#reporting(opened)
   }
 
   /** Cancels the computation of new circles. Returns false if none is running. */
@@ -190,7 +190,7 @@ export class View {
    * opened first. The view stays unchanged
    */
   apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited> {
-    return this.#told(this.#scene.edit(edits, change))
+    return this.#reporting(this.#scene.edit(edits, change))
   }
 
   /** The circles after all finished edits. An opening creates a new table. */
@@ -219,11 +219,11 @@ export class View {
     const { camera } = this
     this.#events.tell('camera', camera)
     this.#baseChanged = true
-    if (this.#picture.isSharp(camera, this.#screen.pixelRatio)) {
-      this.#see()
+    if (this.#tiles.isSharp(camera, this.#screen.pixelRatio)) {
+      this.#requestTiles()
     } else {
-      clearTimeout(this.#rest)
-      this.#rest = setTimeout(() => this.#see(), REST)
+      clearTimeout(this.#sharpening)
+      this.#sharpening = setTimeout(() => this.#requestTiles(), SHARPENING_DELAY)
     }
   }
 
@@ -292,20 +292,20 @@ export class View {
 
   #drawLayers(): void {
     this.#scene.setLayers(this.drawnLayers)
-    const request = this.isShown ? this.#picture.again(this.camera, this.size) : undefined
+    const request = this.isShown ? this.#tiles.requestAll(this.camera, this.size) : undefined
     if (request !== undefined) this.#scene.look(request, this.style)
     this.#overlayChanges()
   }
 
   /** Shows the disc at the nearest vertex or point of an edge, if that layer is visible. */
   async showDisc(point: Point | undefined, slack: number): Promise<void> {
-    this.#touchedAt = point
-    const touching =
+    this.#discAt = point
+    const disc =
       point === undefined || !this.drawnLayers.disc
         ? undefined
         : await this.#scene.ask('touch', point.x, point.y, slack)
-    if (this.#touchedAt !== point || touching === this.#touching) return
-    this.#touching = touching
+    if (this.#discAt !== point || disc === this.#disc) return
+    this.#disc = disc
     this.#overlayChanges()
   }
 
@@ -357,9 +357,9 @@ export class View {
   }
 
   /** The selected circles as they are drawn. */
-  get #drawnSelection(): Chosen | undefined {
-    this.#chosen ??= { drawn: chosenOf(this.#store.get().selection.flatMap((id) => this.discOf(id) ?? [])) }
-    return this.#chosen.drawn
+  get #selectionNow(): DrawnSelection | undefined {
+    this.#selection ??= { drawn: drawnSelection(this.#store.get().selection.flatMap((id) => this.discOf(id) ?? [])) }
+    return this.#selection.drawn
   }
 
   /** The rectangle in which circles are about to be selected. */
@@ -386,9 +386,9 @@ export class View {
 
   /** The center of scaling, if the selection's handle is at a pixel. */
   handleAt(point: Point, slack: number): Point | undefined {
-    const chosen = this.#drawnSelection
-    if (chosen === undefined) return undefined
-    const { box } = chosen
+    const selection = this.#selectionNow
+    if (selection === undefined) return undefined
+    const { box } = selection
     const { x, y } = handleOf(box, (corner) => this.toScreen(corner))
     if (Math.hypot(x - point.x, y - point.y) > HANDLE_RADIUS + slack) return undefined
     return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 }
@@ -401,7 +401,7 @@ export class View {
 
   set isShown(isShown: boolean) {
     if (isShown === this.isShown) return
-    if (!isShown) this.#picture.clear()
+    if (!isShown) this.#tiles.clear()
     this.#screen.isShown = isShown
   }
 
@@ -430,7 +430,7 @@ export class View {
     this.#events.end()
     for (const end of this.#unsubscribe) end()
     cancelAnimationFrame(this.#frame)
-    clearTimeout(this.#rest)
+    clearTimeout(this.#sharpening)
     this.#scene.close()
     this.#ondispose()
     this.#screen.dispose()
@@ -439,15 +439,15 @@ export class View {
   #drawAll(): void {
     this.#baseChanged = true
     this.#overlayChanged = true
-    this.#see()
+    this.#requestTiles()
     this.#schedule()
   }
 
-  #see(): void {
+  #requestTiles(): void {
     if (!this.#screen.isPainted) return
-    const request = this.#picture.see(this.camera, this.size, this.#screen.pixelRatio)
+    const request = this.#tiles.request(this.camera, this.size, this.#screen.pixelRatio)
     if (request === undefined) return
-    this.#lookedAt = this.camera.scale
+    this.#requestedScale = this.camera.scale
     this.#scene.look(request, this.style)
   }
 
@@ -461,10 +461,10 @@ export class View {
     this.#screen.checkScale()
     if (this.#baseChanged) {
       const context = this.#screen.base.getContext('2d') as CanvasRenderingContext2D
-      this.#picture.draw(context, this.camera, this.size, this.#screen.pixelRatio)
+      this.#tiles.draw(context, this.camera, this.size, this.#screen.pixelRatio)
       this.#baseChanged = false
     }
-    this.#screen.isBusy = !this.#picture.isWhole || !this.#picture.isSharp(this.camera, this.#screen.pixelRatio)
+    this.#screen.isBusy = !this.#tiles.isWhole || !this.#tiles.isSharp(this.camera, this.#screen.pixelRatio)
     if (this.#overlayChanged) this.#drawOverlay()
     this.#overlayChanged = false
   }
@@ -478,9 +478,9 @@ export class View {
     const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
     return {
       highlights: hasOutlines ? highlights : withoutCells(highlights),
-      touching: this.#touching,
+      touching: this.#disc,
       trial: this.#trial,
-      chosen: this.#drawnSelection,
+      selection: this.#selectionNow,
       rectangle: this.#rectangle,
       sketch: this.#sketch,
     }
@@ -498,7 +498,7 @@ export class View {
   }
 
   #drawOverlay(): void {
-    const { painted } = this.#picture
+    const { painted } = this.#tiles
     const names = painted === undefined ? { ...this.names, list: [] } : { ...this.names, within: painted }
     const content = { ...this.overlayContent, ...this.#highlights, names, covered: this.covered() }
     const isEmpty = isOverlayEmpty(content)
@@ -531,10 +531,10 @@ export class View {
   }
 
   /** Reports the result of an edit as an event, too. */
-  #told(edited: Promise<Edited>): Promise<Edited> {
+  #reporting(edited: Promise<Edited>): Promise<Edited> {
     edited.then(
       (outcome) => {
-        this.#chosen = undefined
+        this.#selection = undefined
         this.#overlayChanges()
         this.#events.tell('changed', outcome)
       },

@@ -45,7 +45,7 @@ const SHEET = { width: 960, height: 640 }
 /** The longest side of a saved photo, in pixels. */
 const LONGEST_SIDE = 2400
 /** Margin around all circles in a picture, in pixels. */
-const ROOM = 24
+const MARGIN = 24
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
   csv: ['.csv', 'text/csv'],
   json: ['.json', 'application/json'],
@@ -204,7 +204,7 @@ export class FileActions {
       this.#actions.messages.complain(`${name}: ${(error as Error).message}`)
       return 'refused'
     }
-    this.#actions.camera.look(undefined)
+    this.#actions.camera.showView(undefined)
     toast(`Cells are clipped to ${name}.`, { label: 'Undo', act: () => this.#actions.circles.undo() })
     return 'opened'
   }
@@ -346,7 +346,7 @@ export class FileActions {
       const { cardOf, CARD } = await import('./card.ts')
       const size = { width: CARD.width, height: CARD.height - CARD.caption }
       const box = boxOf(this.#editing.circles.box(), this.#editing.domain)
-      const camera = fitted(box, size, { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM })
+      const camera = fitted(box, size, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
       const title = labelOf(dataSetName(this.#store.get())) || 'Voronoi diagram of circles'
       save(await cardOf(await toPNG(this.#view, 1, { camera, size }), title, location.host), `${this.#name}-card.png`)
     })
@@ -354,7 +354,7 @@ export class FileActions {
 
   #shotOf(part: Part, size = this.#view.size): ExportView {
     if (part === 'seen') return { camera: this.#view.camera, size }
-    const room = { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM }
+    const room = { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN }
     return { camera: fitted(boxOf(this.#editing.circles.box(), this.#editing.domain), size, room), size }
   }
 

@@ -30,7 +30,7 @@ const KINDS: readonly (readonly [kind: RadiusKind, label: string])[] = [
 ]
 
 /** Longer numbers are rounded in the preview. */
-const ROOM = 9
+const MOST_LETTERS = 9
 
 const NONE = new Float64Array()
 
@@ -210,7 +210,7 @@ function named(table: Table, { x, y, r, kind, factor }: Columns): NamedColumns {
 
 /** Rounds a number with many digits, so that several columns fit. */
 function rounded(text: string): string {
-  return /^-?\d+\.\d+$/.test(text) && text.length > ROOM ? short(Number(text)) : text
+  return /^-?\d+\.\d+$/.test(text) && text.length > MOST_LETTERS ? short(Number(text)) : text
 }
 
 /** The circles and their cells. Hidden circles stand out. */

@@ -13,7 +13,7 @@ import type { Histogram } from './histogram.ts'
 import { panelOf } from './panel.ts'
 
 /** Pause after a change before cells are counted, in milliseconds. */
-const REST = 250
+const COUNTING_DELAY = 250
 
 /** The options of `compute` that can be compared. */
 const WAYS: readonly (readonly [string, Options])[] = [
@@ -49,7 +49,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
   }
   const measureAtRest = () => {
     clearTimeout(rest)
-    if (folded.isOpen) rest = setTimeout(measure, REST)
+    if (folded.isOpen) rest = setTimeout(measure, COUNTING_DELAY)
   }
   const folded = panelOf(panel, 'Numbers', draw, { onopen: measureAtRest })
 

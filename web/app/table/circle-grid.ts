@@ -29,7 +29,7 @@ import {
 } from './order.ts'
 
 /** Pause after changes before rows are sorted again, in milliseconds. */
-const REST = 300
+const SORTING_DELAY = 300
 /** The longest text of a value, in letters of JSON. Links keep at most twice as many letters for a circle. */
 const LONGEST_VALUE = 5000
 
@@ -55,13 +55,13 @@ function isOfFile(column: DataColumn, { attributes }: Editing): boolean {
 }
 
 /** Letters of a number that a column has room for. */
-const ROOM = 9
+const MOST_LETTERS = 9
 
 /** Rounds a number to the width of a column. */
 function narrow(value: number, most = 6): string {
   for (let digits = most; digits > 2; digits--) {
     const text = short(value, digits)
-    if (text.length <= ROOM) return text
+    if (text.length <= MOST_LETTERS) return text
   }
   return short(value, 2)
 }
@@ -69,7 +69,7 @@ function narrow(value: number, most = 6): string {
 /** Rounds a number of a file to the width of a column. A whole number may be a key, so it keeps its digits. */
 function cellOf(value: string): CellText {
   const text = textIn(value)
-  if (text.length <= ROOM) return { text }
+  if (text.length <= MOST_LETTERS) return { text }
   const number = numberIn(value)
   return { text: Number.isFinite(number) && !Number.isInteger(number) ? narrow(number) : text, title: text }
 }
@@ -319,7 +319,7 @@ export class CircleGrid implements GridContent {
   /** Rows keep their places during a drag or an edit. */
   #sortAtRest(): void {
     clearTimeout(this.#rest)
-    this.#rest = setTimeout(() => (this.#grid.isEditing ? this.#sortAtRest() : this.#sortAgain()), REST)
+    this.#rest = setTimeout(() => (this.#grid.isEditing ? this.#sortAtRest() : this.#sortAgain()), SORTING_DELAY)
   }
 
   /** Keeps the selected row in view. */

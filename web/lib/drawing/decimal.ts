@@ -9,7 +9,7 @@ const MOST_DIGITS = 8
 
 const bytes = new Uint8Array(2 ** 14)
 /** The largest number of bytes of one path command with its numbers. */
-const ROOM = 256
+const MOST_COMMAND_BYTES = 256
 const decoder = new TextDecoder()
 /** The text that owns the buffer, and the number of bytes it uses. */
 let writing: DecimalText | undefined
@@ -49,13 +49,13 @@ export class DecimalText {
 
   /** Adds a few ASCII characters. */
   add(text: string): void {
-    if (writing !== this || used > bytes.length - ROOM) this.#begin()
+    if (writing !== this || used > bytes.length - MOST_COMMAND_BYTES) this.#begin()
     for (let k = 0; k < text.length; k++) bytes[used++] = text.charCodeAt(k)
   }
 
   /** Adds a number. */
   addNumber(value: number): void {
-    if (writing !== this || used > bytes.length - ROOM) this.#begin()
+    if (writing !== this || used > bytes.length - MOST_COMMAND_BYTES) this.#begin()
     const scale = this.#scale
     const scaled = Math.round(value * scale)
     const size = Math.abs(scaled)

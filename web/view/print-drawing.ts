@@ -3,28 +3,28 @@
 import { parsedSvg } from './parsed-svg.ts'
 
 /** Pause after a change before the drawing is made, in milliseconds. */
-const REST = 300
+const DRAWING_DELAY = 300
 
-const papers = new Set<Paper>()
+const drawings = new Set<PrintDrawing>()
 let isListening = false
 
 /** The drawing of one figure for print. */
-export class Paper {
+export class PrintDrawing {
   readonly #place: HTMLElement
   readonly #draw: () => Promise<string>
   #text = ''
-  #rest: ReturnType<typeof setTimeout> | undefined
+  #timer: ReturnType<typeof setTimeout> | undefined
   #turn = 0
 
   /** `place` gets the drawing as its child. If `draw` returns an empty text, the pixels of the screen are printed. */
   constructor(place: HTMLElement, draw: () => Promise<string>) {
     this.#place = place
     this.#draw = draw
-    papers.add(this)
+    drawings.add(this)
     if (isListening) return
     isListening = true
     const show = (isShown: boolean) => {
-      for (const paper of papers) paper.show(isShown)
+      for (const drawing of drawings) drawing.show(isShown)
     }
     addEventListener('beforeprint', () => show(true))
     addEventListener('afterprint', () => show(false))
@@ -35,15 +35,15 @@ export class Paper {
   change(): void {
     this.#turn += 1
     const turn = this.#turn
-    clearTimeout(this.#rest)
-    this.#rest = setTimeout(async () => {
+    clearTimeout(this.#timer)
+    this.#timer = setTimeout(async () => {
       const text = await this.#draw().catch(() => '')
       const isPrinting = matchMedia('print').matches
       // While a page is printed, its figures may have no size; then the former drawing is printed.
       if (turn !== this.#turn || (isPrinting && text === '')) return
       this.#text = text
       if (isPrinting) this.show(true)
-    }, REST)
+    }, DRAWING_DELAY)
   }
 
   show(isShown: boolean): void {
@@ -54,9 +54,9 @@ export class Paper {
   }
 
   dispose(): void {
-    papers.delete(this)
+    drawings.delete(this)
     this.#turn += 1
-    clearTimeout(this.#rest)
+    clearTimeout(this.#timer)
     this.show(false)
   }
 }

@@ -3,13 +3,13 @@ import type { Box, Circle } from '../lib/index.ts'
 import { boundingBox } from './camera.ts'
 
 /** The selected circles, x, y and r each, and their bounding box, whose corner has the resize handle. */
-export interface Chosen {
+export interface DrawnSelection {
   readonly circles: Float64Array
   readonly box: Box
 }
 
 /** Returns `undefined` if no circle is selected. */
-export function chosenOf(circles: readonly Circle[]): Chosen | undefined {
+export function drawnSelection(circles: readonly Circle[]): DrawnSelection | undefined {
   const flat = Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
   const [first, ...others] = circles
   // The handle of a single circle is at its rim.

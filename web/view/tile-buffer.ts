@@ -5,7 +5,7 @@ import { type Grid, type PaintRequest, type PixelBox, TILE } from './protocol.ts
 import type { Painted } from './scene-client.ts'
 
 /** Margin painted around the viewport, in device pixels, so that panning has pixels ready. */
-const ROOM = TILE
+const MARGIN = TILE
 /** Largest zoom factor at which old pixels are shown until sharp ones are painted, in either direction. */
 export const MOST_ENLARGED = 256
 
@@ -23,7 +23,7 @@ interface PaintedBuffer {
 /**
  * The picture without hover and selection. A thread paints it; it is shown moved and scaled until the next one arrives.
  */
-export class BasePicture {
+export class TileBuffer {
   #buffer: PaintedBuffer | undefined
   /** The previous buffer, shown where the current one is still empty. */
   #before: PaintedBuffer | undefined
@@ -48,21 +48,21 @@ export class BasePicture {
   }
 
   /** Makes the buffer cover a camera's viewport. Returns the request for missing pixels, if any. */
-  see(camera: Camera, size: Size, pixelRatio: number): PaintRequest | undefined {
+  request(camera: Camera, size: Size, pixelRatio: number): PaintRequest | undefined {
     if (!this.isSharp(camera, pixelRatio)) {
       if (this.#buffer?.isWhole === true) this.#before = this.#buffer
       this.#lastGrid += 1
       const { x, y } = toPlane(camera, size, { x: 0, y: 0 })
       const grid = { id: this.#lastGrid, x, y, scale: camera.scale * pixelRatio, pixelRatio }
-      return this.#turnTo(grid, seenOf(grid, camera, size))
+      return this.#requestOn(grid, visibleIn(grid, camera, size))
     }
     const { grid, box } = this.#buffer as PaintedBuffer
-    const seen = seenOf(grid, camera, size)
-    return holds(box, seen) ? undefined : this.#turnTo(grid, seen)
+    const seen = visibleIn(grid, camera, size)
+    return contains(box, seen) ? undefined : this.#requestOn(grid, seen)
   }
 
   /** Requests all pixels again, for example after an edit. The old pixels stay visible until then. */
-  again(camera: Camera, size: Size): PaintRequest | undefined {
+  requestAll(camera: Camera, size: Size): PaintRequest | undefined {
     const buffer = this.#buffer
     if (buffer === undefined) return undefined
     this.#lastPaintId += 1
@@ -70,7 +70,7 @@ export class BasePicture {
     return {
       paintId: this.#lastPaintId,
       grid: buffer.grid,
-      seen: seenOf(buffer.grid, camera, size),
+      seen: visibleIn(buffer.grid, camera, size),
       wanted: buffer.box,
     }
   }
@@ -129,14 +129,14 @@ export class BasePicture {
     }
   }
 
-  #turnTo(grid: Grid, seen: PixelBox): PaintRequest {
-    const left = Math.floor((seen.left - ROOM) / ROOM) * ROOM
-    const top = Math.floor((seen.top - ROOM) / ROOM) * ROOM
+  #requestOn(grid: Grid, seen: PixelBox): PaintRequest {
+    const left = Math.floor((seen.left - MARGIN) / MARGIN) * MARGIN
+    const top = Math.floor((seen.top - MARGIN) / MARGIN) * MARGIN
     const wanted = {
       left,
       top,
-      width: Math.ceil((seen.left + seen.width + ROOM) / ROOM) * ROOM - left,
-      height: Math.ceil((seen.top + seen.height + ROOM) / ROOM) * ROOM - top,
+      width: Math.ceil((seen.left + seen.width + MARGIN) / MARGIN) * MARGIN - left,
+      height: Math.ceil((seen.top + seen.height + MARGIN) / MARGIN) * MARGIN - top,
     }
     const canvas = new OffscreenCanvas(wanted.width, wanted.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
@@ -154,7 +154,7 @@ function boxOf({ grid, box: { left, top, width, height } }: PaintedBuffer): Box 
   return { minX, minY, maxX, maxY }
 }
 
-function seenOf(grid: Grid, camera: Camera, size: Size): PixelBox {
+function visibleIn(grid: Grid, camera: Camera, size: Size): PixelBox {
   const corner = toPlane(camera, size, { x: 0, y: 0 })
   return {
     left: Math.floor((corner.x - grid.x) * grid.scale),
@@ -164,7 +164,7 @@ function seenOf(grid: Grid, camera: Camera, size: Size): PixelBox {
   }
 }
 
-function holds(box: PixelBox, part: PixelBox): boolean {
+function contains(box: PixelBox, part: PixelBox): boolean {
   return (
     box.left <= part.left &&
     box.top <= part.top &&
