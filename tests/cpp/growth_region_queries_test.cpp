@@ -39,6 +39,30 @@ GrowthInput emptyStrips(std::size_t size) {
   return input;
 }
 
+/// Thin streets in two directions, and one circle outside.
+GrowthInput streets(std::size_t size) {
+  GrowthInput input = {{{-5000, 0, 1}}, {}};
+  for (std::size_t k = 0; k < size / 8; ++k) {
+    const auto x = static_cast<double>(k);
+    const double width = 0.2 + 0.05 * std::sin(1.7 * x);
+    const double y = x - 2000;
+    input.polygons.push_back({{{x, 0}, {x + width, 0}, {x + width + 300, 1000}, {x + 300, 1000}}});
+    input.polygons.push_back({{{0, y}, {1000, y - 400}, {1000, y - 400 + width}, {0, y + width}}});
+  }
+  return input;
+}
+
+/// Thin strips of several widths with wide gaps between them, and one circle outside.
+GrowthInput farStrips(std::size_t size) {
+  GrowthInput input = {{{-5000, 0, 1}}, {}};
+  for (std::size_t k = 0; k < size / 4; ++k) {
+    const auto x = static_cast<double>(k);
+    const double width = 0.01 * (1.5 + std::sin(1.7 * x));
+    input.polygons.push_back({{{x, 0}, {x + width, 0}, {x + width + 1000, 1000}, {x + 1000, 1000}}});
+  }
+  return input;
+}
+
 constexpr std::array kCorridors = {GrowthFamily{"ring corridor", ringCorridor},
                                    GrowthFamily{"busy ring corridor", busyCorridor}};
 
@@ -77,7 +101,8 @@ TEST(GrowthInRegions, OfLargestDiscs) {
   static const std::array kTeeth = {kComb};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kTeeth, 2000});
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kCorridors});
-  static const std::array kBare = {GrowthFamily{"empty strips", emptyStrips}};
+  static const std::array kBare = {kStrips, GrowthFamily{"empty strips", emptyStrips}, GrowthFamily{"streets", streets},
+                                   GrowthFamily{"far strips", farStrips}};
   expectGrowth({"largestEmptyDiscInside", "region_queries.h", discIn, kBare});
 }
 

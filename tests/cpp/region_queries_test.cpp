@@ -230,6 +230,36 @@ TEST(LargestDiscInRegion, IsInTheWidestOfManyThinStripsInAnyDirection) {
   }
 }
 
+TEST(LargestDiscInRegion, IsInTheWidestGapOfStreetsOfManyDirections) {
+  Random random(test::seedOr(12));
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(trial);
+    // Quarters of parallel streets, each in a direction of its own. A circle divides some streets.
+    std::vector<Ring> rings;
+    Circles circles;
+    for (int quarter = 0; quarter < 5; ++quarter) {
+      const Vector v = directionAt(random.uniform(0, 1));
+      for (int k = 0; k < 20; ++k) {
+        const double width = random.uniform(0.2, 0.4);
+        const auto at = [&](double along, double across) {
+          return Point{300 * quarter + along * v.x - across * v.y, along * v.y + across * v.x};
+        };
+        rings.push_back({at(-100, k), at(100, k), at(100, k + width), at(-100, k + width)});
+        if (random.below(3) != 0) continue;
+        const Point p = at(random.uniform(-100, 100), k + random.uniform(0, width));
+        circles.push_back({p.x, p.y, random.uniform(0, 0.2)});
+      }
+    }
+    circles.push_back({0, 1e4, 1});
+    const double found = discIn(circles, regionFrom(rings)).disc.r;
+    double widest = 0;
+    for (const Ring& ring : rings)
+      widest = std::max(widest, std::hypot(ring[2].x - ring[1].x, ring[2].y - ring[1].y) / 2);
+    // Each street is longer than its circle.
+    EXPECT_NEAR(found, widest, 1e-9);
+  }
+}
+
 /// The distance of a point from a side, in more digits than doubles have.
 long double distanceToSide(Point p, Point a, Point b) {
   const long double x = static_cast<long double>(b.x) - a.x;

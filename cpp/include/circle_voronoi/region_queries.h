@@ -21,8 +21,7 @@ namespace circle_voronoi {
 /// Then the disc that touches each three of them is computed. The result is right up to rounding, and inside the
 /// region: the region contains the center, and the radius is at most the distance to the boundary, up to rounding of
 /// itself. For m circles and sides, it takes O(m log m) steps for most regions, ring corridors, combs, spirals and
-/// parallel strips included. It takes more in thin strips of many directions, or with
-/// circles in them.
+/// streets in several directions included. It takes more where very many thin strips fan out.
 ///
 /// Errors: badOption if the metric is not Metric::circles, or the region is so thin, a few units of rounding wide, that
 /// no disc is found in it; tooManyCircles if memory runs out; the errors of ClippedDiagram::from if circles cover the

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <queue>
 #include <span>
 #include <utility>
@@ -24,8 +26,10 @@ namespace {
 constexpr std::size_t kFew = 10;
 /// Rectangles smaller than this share of the region are points up to rounding.
 constexpr double kFinestRectangle = 0x1p-50;
-/// A side is along an axis if its slope is at most this.
+/// Two sides are parallel if the sine of the angle between them is at most this.
 constexpr double kMostSlope = 0x1p-4;
+/// A rectangle is turned if it becomes larger by this factor at most. A square doubles at 45 degrees.
+constexpr double kMostOfTurned = 2.001;
 /// A disc touches circles and sides at a distance of its radius, up to this share of the region.
 constexpr double kRoundingOfTouch = 0x1p-44;
 constexpr int kRefinements = 2;
@@ -152,36 +156,58 @@ void placesTouching(std::array<const Touchable*, 3> things, Take take) {
   }
 }
 
-/// The directions of sides, up to quarter turns.
-class Directions {
- public:
-  void add(Vector direction, double size) {
-    const Vector twice = squareOf(direction);
-    const Vector fourTimes = squareOf(twice);
-    sum_ = {sum_.x + size * fourTimes.x, sum_.y + size * fourTimes.y};
-    total_ += size;
+/// A rectangle in any direction. If it lies in others, only those of its points count that lie in all of them.
+struct Frame {
+  Point center;
+  Vector axis = {1, 0};  ///< of length 1
+  Vector half;           ///< half of its length along the axis and across it
+  std::shared_ptr<const Frame> within;
+
+  /// A vector in the directions of the rectangle.
+  [[nodiscard]] Vector seen(Vector v) const { return {dot(axis, v), cross(axis, v)}; }
+  /// The largest value of v . w for all w from the center to points of the rectangle.
+  [[nodiscard]] double reachOf(Vector v) const {
+    const Vector its = seen(v);
+    return half.x * std::abs(its.x) + half.y * std::abs(its.y);
+  }
+  [[nodiscard]] double reach() const { return length(half); }
+  /// Returns whether a point counts, where the rectangles are larger by `slack`.
+  [[nodiscard]] bool has(Point p, double slack) const {
+    const Vector v = seen(vectorTo(center, p));
+    return std::abs(v.x) <= half.x + slack && std::abs(v.y) <= half.y + slack && (!within || within->has(p, slack));
+  }
+  /// Returns whether points may count.
+  [[nodiscard]] bool mayCount() const {
+    for (const Frame* other = within.get(); other != nullptr; other = other->within.get()) {
+      if (isBeside(*other) || other->isBeside(*this)) return false;
+    }
+    return true;
   }
 
-  /// Returns the direction of most sides, or that of x if the sides have many directions.
-  [[nodiscard]] Vector axis() const {
-    const double size = length(sum_);
-    if (!(size > total_ / 2)) return {1, 0};
-    return rootOf(rootOf({sum_.x / size, sum_.y / size}));
+  /// A part, of those in a number of columns along the axis and rows across it.
+  [[nodiscard]] Frame part(int column, int columns, int row, int rows) const {
+    Frame its = *this;
+    its.half = {half.x / columns, half.y / rows};
+    const double along = (2 * column + 1 - columns) * its.half.x;
+    const double across = (2 * row + 1 - rows) * its.half.y;
+    its.center = {center.x + (axis.x * along - axis.y * across), center.y + (axis.y * along + axis.x * across)};
+    return its;
+  }
+  /// The smallest rectangle along a direction that contains this one, for the points of this one.
+  [[nodiscard]] Frame turnedTo(Vector direction) const {
+    return {center,
+            direction,
+            {reachOf(direction), reachOf({-direction.y, direction.x})},
+            std::make_shared<const Frame>(*this)};
   }
 
  private:
-  /// The direction at twice the angle.
-  static Vector squareOf(Vector v) { return {v.x * v.x - v.y * v.y, 2 * v.x * v.y}; }
-  /// The direction at half of the angle.
-  static Vector rootOf(Vector v) {
-    const double larger = std::sqrt((1 + std::abs(v.x)) / 2);
-    const double smaller = std::abs(v.y) / (2 * larger);
-    const Vector root = v.x < 0 ? Vector{smaller, larger} : Vector{larger, smaller};
-    return v.y < 0 ? Vector{root.x, -root.y} : root;
+  /// Returns whether a line along a side of this rectangle separates it from another one.
+  [[nodiscard]] bool isBeside(const Frame& other) const {
+    const Vector v = seen(vectorTo(center, other.center));
+    return std::abs(v.x) > half.x + other.reachOf(axis) + kFinestRectangle ||
+           std::abs(v.y) > half.y + other.reachOf({-axis.y, axis.x}) + kFinestRectangle;
   }
-
-  Vector sum_;
-  double total_ = 0;
 };
 
 class DiscSearch {
@@ -191,7 +217,6 @@ class DiscSearch {
     const Box box = region.bounds();
     origin_ = {box.minX + (box.maxX - box.minX) / 2, box.minY + (box.maxY - box.minY) / 2};
     unit_ = powerOfTwoIn(std::max(box.maxX - box.minX, box.maxY - box.minY));
-    Directions directions;
     for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
       const auto index = static_cast<std::int32_t>(i);
       if (!diagram.hasCell(index)) continue;
@@ -211,7 +236,6 @@ class DiscSearch {
         const Vector direction = {along.x / size, along.y / size};
         sides_.push_back({from, to, direction, size, points[at(k)], points[at(next)]});
         things_.push_back({from, {-along.y / size, along.x / size}, 0, true});
-        directions.add(direction, size);
       }
       const std::span<Side> sides = std::span(sides_).subspan(at(rings[ring]));
       for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -221,31 +245,26 @@ class DiscSearch {
         sides[k].turnAtStart = before.turnAtEnd;
       }
     }
-    axis_ = directions.axis();
   }
 
   std::optional<EmptyDisc> run() {
-    Rectangle root;
     // The region lies within 1 of the origin along x and y.
-    root.half.x = std::abs(axis_.x) + std::abs(axis_.y);
-    root.half.y = root.half.x;
-    root.near.resize(things_.size());
-    for (std::size_t i = 0; i < things_.size(); ++i) root.near[i] = static_cast<std::int32_t>(i);
-    offerRectangle(std::move(root));
+    Frame root;
+    root.half = {1, 1};
+    std::vector<std::int32_t> all(things_.size());
+    std::iota(all.begin(), all.end(), 0);
+    offerRectangle(std::move(root), std::move(all));
     while (!pending_.empty() && mayBeLarger(pending_.top()->most)) {
-      const std::shared_ptr<Rectangle> whole = pending_.top();
+      const std::shared_ptr<const Rectangle> whole = pending_.top();
       pending_.pop();
-      const Vector half = {whole->half.x / whole->columns, whole->half.y / whole->rows};
+      if (whole->turned) {
+        offerRectangle(*whole->turned, whole->near);
+        continue;
+      }
       for (int column = 0; column < whole->columns; ++column) {
         for (int row = 0; row < whole->rows; ++row) {
-          const double along = (2 * column + 1 - whole->columns) * half.x;
-          const double across = (2 * row + 1 - whole->rows) * half.y;
-          Rectangle part;
-          part.center = {whole->center.x + (axis_.x * along - axis_.y * across),
-                         whole->center.y + (axis_.y * along + axis_.x * across)};
-          part.half = half;
-          part.near = whole->near;
-          offerRectangle(std::move(part));
+          Frame part = whole->frame.part(column, whole->columns, row, whole->rows);
+          if (part.mayCount()) offerRectangle(std::move(part), whole->near);
         }
       }
     }
@@ -264,30 +283,19 @@ class DiscSearch {
     int turnAtEnd = 0;
   };
 
-  /// A rectangle along the axis and across it.
   struct Rectangle {
-    Point center;
-    Vector half;                     ///< half of its length along the axis and across it
-    double most = 0;                 ///< no disc around a point of the rectangle is larger
-    std::vector<std::int32_t> near;  ///< the circles and sides that may be nearest to a point of the rectangle
+    Frame frame;
+    std::vector<std::int32_t> near;  ///< the circles and sides that may be nearest to a point that counts
+    double most = 0;                 ///< no disc around a point that counts is larger
     int columns = 2;                 ///< the number of parts along the axis
     int rows = 2;                    ///< the number of parts across the axis
-
-    [[nodiscard]] double reach() const { return length(half); }
+    std::optional<Frame> turned;     ///< is divided instead
   };
 
   Point here(Point p) const { return {(p.x - origin_.x) / unit_, (p.y - origin_.y) / unit_}; }
   Point there(Point p) const { return {origin_.x + unit_ * p.x, origin_.y + unit_ * p.y}; }
   /// Rounds a point to the numbers for which signs are exact (limits.h), times the unit.
   Point roundedInUnits(Point p) const { return {unit_ * rounded(p.x / unit_), unit_ * rounded(p.y / unit_)}; }
-
-  /// A vector in the frame of the axis.
-  Vector seen(Vector v) const { return {dot(axis_, v), cross(axis_, v)}; }
-  /// The largest value of v . w for all w from the center of a rectangle to its points.
-  double reachOf(const Rectangle& rectangle, Vector v) const {
-    const Vector its = seen(v);
-    return rectangle.half.x * std::abs(its.x) + rectangle.half.y * std::abs(its.y);
-  }
 
   /// The distance of the center of a rectangle from a thing, and its bounds at center + v in the rectangle: it is at
   /// least value + along . v, because things are convex, and larger by at most `excess`.
@@ -299,8 +307,8 @@ class DiscSearch {
     bool isWhole = false;     ///< whether this is a side, and all points of the rectangle are beside it
   };
 
-  Distance distanceTo(std::int32_t thing, const Rectangle& rectangle) const {
-    const Point p = rectangle.center;
+  Distance distanceTo(std::int32_t thing, const Frame& frame) const {
+    const Point p = frame.center;
     Vector v;
     double radius = 0;
     if (at(thing) < circles_.size()) {
@@ -314,8 +322,8 @@ class DiscSearch {
         const double sign = height < 0 ? -1 : 1;
         const Vector along = {-sign * unit.y, sign * unit.x};
         // The rectangle extends beyond the ends of the side this far.
-        const double beyond = std::max(reachOf(rectangle, unit) - std::min(ahead, size - ahead), 0.0);
-        const double aside = reachOf(rectangle, along);
+        const double beyond = std::max(frame.reachOf(unit) - std::min(ahead, size - ahead), 0.0);
+        const double aside = frame.reachOf(along);
         // Beyond the line, the distance grows again.
         return {std::abs(height), along, excessOf(std::abs(height), aside, beyond),
                 length({std::abs(height) + aside, beyond}), beyond == 0};
@@ -323,12 +331,12 @@ class DiscSearch {
       v = vectorTo(ahead > 0 ? to : from, p);
     }
     const double distance = lengthOf(v);
-    const double most = distance - radius + rectangle.reach();
+    const double most = distance - radius + frame.reach();
     // At an end of a side, the distance grows in some directions only.
     if (!(distance > 0)) return {distance - radius, {}, kInfinite, most};
     const Vector along = measuredIn(distance, v);
-    const double aside = reachOf(rectangle, {-along.y, along.x});
-    return {distance - radius, along, excessOf(distance, reachOf(rectangle, along), aside), most};
+    const double aside = frame.reachOf({-along.y, along.x});
+    return {distance - radius, along, excessOf(distance, frame.reachOf(along), aside), most};
   }
 
   /// The distance from a point grows by a step ahead and a step aside by at most the step ahead and this.
@@ -346,16 +354,22 @@ class DiscSearch {
     return lengthOf(ahead > 0 ? vectorTo(side.to, p) : v);
   }
 
-  void offerRectangle(Rectangle rectangle) {
+  /// Tries discs of a rectangle, and keeps it for division if a larger one may be in it. `near` are the things that may
+  /// be nearest to a point that counts.
+  void offerRectangle(Frame its, std::vector<std::int32_t> near) {
+    Rectangle rectangle;
+    rectangle.frame = std::move(its);
+    rectangle.near = std::move(near);
+    const Frame& frame = rectangle.frame;
     std::vector<Distance> distances;
     distances.reserve(rectangle.near.size());
     std::size_t nearest = 0;
     for (const std::int32_t thing : rectangle.near) {
-      distances.push_back(distanceTo(thing, rectangle));
+      distances.push_back(distanceTo(thing, frame));
       if (distances.back().value < distances[nearest].value) nearest = distances.size() - 1;
     }
     const double least = distances[nearest].value;
-    const double reach = rectangle.reach();
+    const double reach = frame.reach();
     const Distance& first = distances[nearest];
     rectangle.most = first.most;
     if (!mayBeLarger(rectangle.most)) return;
@@ -365,17 +379,21 @@ class DiscSearch {
     for (const Distance& other : distances) {
       const Vector sum = {first.along.x + other.along.x, first.along.y + other.along.y};
       const double mean =
-          (first.value + other.value + reachOf(rectangle, sum) + first.excess + other.excess) / 2 + kRoundingOfBound;
+          (first.value + other.value + frame.reachOf(sum) + first.excess + other.excess) / 2 + kRoundingOfBound;
       if (mean < rectangle.most) {
         rectangle.most = mean;
         opposite = &other;
       }
     }
     if (!mayBeLarger(rectangle.most)) return;
+    const bool isCounted = frame.has(frame.center, 0);
     // A way from outside into the region crosses the boundary, and is at least as long up to there as to the nearest
     // thing: a side, or a circle that covers the boundary where its sides are not kept.
     const double mostFromOutside = reach - std::abs(least);
-    if (!(rectangle.most < mostFromOutside) && !contains(rectangle.center, least, rectangle)) {
+    if (isCounted && !(rectangle.most < mostFromOutside) && !contains(frame.center, least, rectangle)) {
+      double closest = kInfinite;
+      for (const Distance& each : distances) closest = std::min(closest, each.value - frame.reachOf(each.along));
+      if (closest > kRoundingOfBound) return;
       rectangle.most = mostFromOutside;
       opposite = &first;
       if (!mayBeLarger(rectangle.most)) return;
@@ -383,47 +401,52 @@ class DiscSearch {
     // The disc between the two.
     const double half = (opposite->value - first.value) / 2;
     if (half > 0) {
-      const Point between = {rectangle.center.x + half * first.along.x, rectangle.center.y + half * first.along.y};
-      if (isIn(rectangle, between, 0)) offer(between, rectangle);
+      const Point between = {frame.center.x + half * first.along.x, frame.center.y + half * first.along.y};
+      if (frame.has(between, 0)) offer(between, rectangle);
     }
     if (!mayBeLarger(rectangle.most)) return;
     const std::int32_t thing = rectangle.near[nearest];
-    divide(rectangle, first, thing, keepNearest(rectangle, distances, first.most));
+    divide(rectangle, first, thing, keepNearest(rectangle, distances, first));
     // Parts next to a side that are too small for a larger disc are left out before all discs are tried.
     const bool mayBeDivided = least <= reach && reach < 4 * radius_;
     if (rectangle.near.size() <= kFew && !mayBeDivided) {
       tryAll(rectangle);
       return;
     }
-    offer(rectangle.center, rectangle);
-    if (largestOf(rectangle.half) > kFinestRectangle) {
+    if (isCounted) offer(frame.center, rectangle);
+    if (largestOf(frame.half) > kFinestRectangle) {
       rectangle.near.shrink_to_fit();
       pending_.push(std::make_shared<Rectangle>(std::move(rectangle)));
     }
   }
 
-  /// Decides into how many parts a rectangle is divided. Across a side that is longer than the rectangle, it is first
-  /// divided until it is thinner than its distance from the side. So a strip between two long sides takes few
-  /// rectangles, however thin it is.
-  void divide(Rectangle& rectangle, const Distance& first, std::int32_t nearest, bool areMostWhole) const {
-    const Vector half = rectangle.half;
+  /// Decides into how many parts a rectangle is divided. Along sides that are longer than the rectangle, it is first
+  /// turned to their direction, and divided until it is thinner than its distance from the nearest one. So a strip
+  /// between two long sides takes few rectangles, however thin it is.
+  void divide(Rectangle& rectangle, const Distance& first, std::int32_t nearest, bool areMostParallel) const {
+    const Vector half = rectangle.frame.half;
     rectangle.columns = 2 * half.x > half.y ? 2 : 1;
     rectangle.rows = 2 * half.y > half.x ? 2 : 1;
-    if (!first.isWhole || !areMostWhole) return;
-    const Vector slope = seen(sides_[at(nearest) - circles_.size()].direction);
-    if (std::abs(slope.y) < kMostSlope && 2 * half.y > first.value) {
-      rectangle.columns = 1;
-      rectangle.rows = 2;
-    } else if (std::abs(slope.x) < kMostSlope && 2 * half.x > first.value) {
-      rectangle.columns = 2;
-      rectangle.rows = 1;
+    if (!first.isWhole || !areMostParallel) return;
+    const Vector direction = sides_[at(nearest) - circles_.size()].direction;
+    const Vector slope = rectangle.frame.seen(direction);
+    if (half.x * std::abs(slope.y) <= first.value) {
+      if (2 * half.y > first.value) {
+        rectangle.columns = 1;
+        rectangle.rows = 2;
+      }
+    } else if (half.y * std::abs(slope.x) <= first.value) {
+      if (2 * half.x > first.value) {
+        rectangle.columns = 2;
+        rectangle.rows = 1;
+      }
+    } else {
+      Frame turned = rectangle.frame.turnedTo(direction);
+      const Frame* within = rectangle.frame.within.get();
+      const double size = turned.half.x * turned.half.y;
+      const bool isSmaller = within == nullptr || 4 * size <= within->half.x * within->half.y;
+      if (isSmaller && size <= kMostOfTurned * half.x * half.y) rectangle.turned = std::move(turned);
     }
-  }
-
-  /// Returns whether a rectangle, made larger by `slack`, contains a point.
-  bool isIn(const Rectangle& rectangle, Point p, double slack) const {
-    const Vector v = seen(vectorTo(rectangle.center, p));
-    return std::abs(v.x) <= rectangle.half.x + slack && std::abs(v.y) <= rectangle.half.y + slack;
   }
 
   double leastDistance(Point p, const Rectangle& rectangle) const {
@@ -450,16 +473,16 @@ class DiscSearch {
   static bool isInsideOf(const Side& side, Point p) {
     const Vector v = vectorTo(side.from, p);
     const double ahead = dot(side.direction, v);
-    const double turnAtCorner = ahead < 0 ? side.turnAtStart : ahead > side.size ? side.turnAtEnd : 0;
+    const int turnAtCorner = ahead < 0 ? side.turnAtStart : ahead > side.size ? side.turnAtEnd : 0;
     return turnAtCorner == 0 ? cross(side.direction, v) > 0 : turnAtCorner < 0;
   }
 
   /// Returns whether a bound leaves room for a larger disc than the best one.
   bool mayBeLarger(double most) const { return most > radius_ * (1 + kRoundingOfRadius); }
 
-  /// Keeps the things that may be nearest to a point of a rectangle, from which the nearest is at most `most` away.
-  /// Returns whether most of them are sides along the whole rectangle.
-  bool keepNearest(Rectangle& rectangle, const std::vector<Distance>& distances, double most) const {
+  /// Keeps the things that may be nearest to a point of a rectangle. Returns whether most of them are sides along the
+  /// whole rectangle, parallel to the side that is nearest to its center.
+  bool keepNearest(Rectangle& rectangle, const std::vector<Distance>& distances, const Distance& first) const {
     // Of each sector of directions, the thing with the least bound.
     std::array<const Distance*, kSectors> nearest = {};
     const auto bound = [](const Distance& distance) { return distance.value + distance.excess; };
@@ -470,12 +493,12 @@ class DiscSearch {
     const auto isBeyond = [&](const Distance& distance, const Distance* other) {
       if (other == nullptr) return false;
       const Vector difference = {distance.along.x - other->along.x, distance.along.y - other->along.y};
-      return distance.value > bound(*other) + reachOf(rectangle, difference) + kRoundingOfBound;
+      return distance.value > bound(*other) + rectangle.frame.reachOf(difference) + kRoundingOfBound;
     };
     std::size_t count = 0;
-    std::size_t whole = 0;
+    std::size_t parallel = 0;
     for (std::size_t i = 0; i < distances.size(); ++i) {
-      if (distances[i].value - reachOf(rectangle, distances[i].along) > most + kRoundingOfBound) continue;
+      if (distances[i].value - rectangle.frame.reachOf(distances[i].along) > first.most + kRoundingOfBound) continue;
       const std::size_t sector = sectorOf(distances[i].along);
       bool isKept = true;
       for (const std::size_t step : {std::size_t{0}, std::size_t{1}, kSectors - 1}) {
@@ -483,10 +506,10 @@ class DiscSearch {
       }
       if (!isKept) continue;
       rectangle.near[count++] = rectangle.near[i];
-      if (distances[i].isWhole) ++whole;
+      if (distances[i].isWhole && std::abs(cross(distances[i].along, first.along)) <= kMostSlope) ++parallel;
     }
     rectangle.near.resize(count);
-    return 2 * whole > count;
+    return 2 * parallel > count;
   }
 
   /// Counted counter-clockwise.
@@ -508,10 +531,11 @@ class DiscSearch {
       const Side& side = sides_[at(thing) - circles_.size()];
       if (side.turnAtStart < 0) near.push_back({side.from, {}, 0, false});
     }
-    offer(rectangle.center, rectangle);
-    const double slack = rectangle.reach() * kRounding + kFinestRectangle;
+    const Frame& frame = rectangle.frame;
+    if (frame.has(frame.center, 0)) offer(frame.center, rectangle);
+    const double slack = frame.reach() * kRounding + kFinestRectangle;
     const auto take = [&](Point p) {
-      if (isIn(rectangle, p, slack)) offer(p, rectangle);
+      if (frame.has(p, slack)) offer(p, rectangle);
     };
     for (std::size_t i = 0; i < near.size(); ++i) {
       for (std::size_t j = i + 1; j < near.size(); ++j) {
@@ -567,7 +591,6 @@ class DiscSearch {
   double scale_;
   Point origin_;
   double unit_ = 1;
-  Vector axis_ = {1, 0};  ///< the direction of rectangles, of length 1
   std::vector<CircleIndex> circles_;
   std::vector<Touchable> things_;  ///< the circles, then the lines of the sides
   std::vector<Side> sides_;

@@ -608,12 +608,17 @@ bool Region::isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoun
   const std::size_t last = std::min(first + size, points_.size()) - 1;
   const auto ring = at(ringOf(static_cast<std::int32_t>(first)));
   const auto begin = ringOffsets_[ring];
-  const auto end = ringOffsets_[ring + 1];
   const auto endOf = [&](std::size_t side, std::int32_t ringBegin, std::int32_t ringEnd) {
     return points_[side + 1 == at(ringEnd) ? at(ringBegin) : side + 1];
   };
-  if (isLeft && static_cast<std::int32_t>(last) < end) {
-    return (points_[first].y > p.y) != (endOf(last, begin, end).y > p.y);
+  if (isLeft) {
+    // A ring is crossed as often up as down. Of the first and the last one, the run may have a part only.
+    const auto isAbove = [&](Point q) { return q.y > p.y; };
+    const auto lastRing = at(ringOf(static_cast<std::int32_t>(last)));
+    const Point after = endOf(last, ringOffsets_[lastRing], ringOffsets_[lastRing + 1]);
+    if (lastRing == ring) return isAbove(points_[first]) != isAbove(after);
+    const bool isFirstCrossed = isAbove(points_[first]) != isAbove(points_[at(begin)]);
+    return isFirstCrossed != (isAbove(points_[at(ringOffsets_[lastRing])]) != isAbove(after));
   }
   bool isOdd = false;
   if (level > 0) {
