@@ -29,15 +29,23 @@ export function areasById(areas: Areas | undefined, circles: CircleTable): Pick<
   return { areas: byId }
 }
 
-/** The change of domain for the backend. It contains the region and the periods only if they differ. */
-export function domainChange(before: Domain, domain: Domain, fit: Shares, colors?: string): DomainChange | undefined {
+/**
+ * The change of domain for the backend. It contains the region and the periods only if they differ, and shares only if
+ * there are areas.
+ */
+export function domainChange(
+  before: Domain,
+  domain: Domain,
+  shares: () => Shares,
+  colors?: string,
+): DomainChange | undefined {
   const { region, lattice, areas } = domain
   if (domain === NO_DOMAIN && before === NO_DOMAIN) return colors === undefined ? undefined : { colors }
   return {
     region: region === before.region ? undefined : (region ?? null),
     lattice: lattice === before.lattice ? undefined : (lattice ?? null),
     areSites: areas !== undefined,
-    fit: areas && fit,
+    fit: areas && shares(),
     colors,
   }
 }

@@ -59,7 +59,7 @@ export class Editing {
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (error: Error) => void
   readonly #mostBytes: number
-  readonly #queue = new NewestQueue<Job, Edited | undefined>()
+  readonly #queue = new NewestQueue<Job, Edited | undefined>((job) => this.#do(job))
   #lastKey: string | undefined
   #lastGesture = 0
   /** The last gesture that began before the current circles were opened. */
@@ -207,7 +207,7 @@ export class Editing {
     const before = this.#state
     const domain =
       change === undefined ? before.domain : { ...before.domain, ...change, ...areasById(change.areas, this.circles) }
-    const shares = sharesOf(domain, this.circles, edits)
+    const shares = () => sharesOf(domain, this.circles, edits)
     const edited = await this.#backend.apply(edits, domainChange(before.domain, domain, shares, colors))
     const former = { domain: change && before.domain, attributes: attributes && before.attributes }
     const history = record(before.history, edited.back, gesture, former)
@@ -251,7 +251,7 @@ export class Editing {
     if (entry.kind === 'opening') return this.#replaceScene(entry.scene, historyWith(this.#before()))
     const { domain = before.domain, attributes = before.attributes } = entry
     const steps = entry.steps.unpacked()
-    const change = domainChange(before.domain, domain, sharesOf(domain, this.circles, steps))
+    const change = domainChange(before.domain, domain, () => sharesOf(domain, this.circles, steps))
     const edited = await this.#backend.apply(steps, change)
     const back = {
       ...entry,
@@ -266,7 +266,7 @@ export class Editing {
   async #replaceScene(scene: CircleSet, history: History, areAll = true): Promise<Done> {
     const { circles, kept, domain = NO_DOMAIN, attributes = NO_ATTRIBUTES } = scene
     const shares = sharesInOrder(domain, circles.length / 3, kept)
-    const change = domainChange(this.domain, domain, shares, areAll ? scene.colors : undefined)
+    const change = domainChange(this.domain, domain, () => shares, areAll ? scene.colors : undefined)
     const edited = await this.#backend.setCircles(circles, change, kept)
     this.#lastFormer = this.#lastGesture
     const areas = areasById(domain.areas, this.circles)
@@ -312,9 +312,7 @@ export class Editing {
     // A pending request may be replaced by the same gesture, but not by a later one.
     if (key !== this.#lastKey) this.#queue.settle()
     this.#lastKey = key
-    const answer = this.#queue.add({ made: madeBy(edits), run }, key)
-    this.#queue.drain((job) => this.#do(job))
-    return answer
+    return this.#queue.add({ made: madeBy(edits), run }, key)
   }
 
   async #do(job: Job): Promise<Edited | undefined> {

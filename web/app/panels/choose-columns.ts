@@ -56,7 +56,7 @@ export function chooseColumns(
     return wrong === undefined ? '' : `There are no numbers in column ${heading[wrong]}.`
   }
 
-  const queue = new NewestQueue<Float64s, Preview>()
+  const queue = new NewestQueue<Float64s, Preview>(preview)
   let turn = 0
   const change = (changed: Partial<Columns>) => {
     const before = chosen
@@ -65,25 +65,23 @@ export function chooseColumns(
     // A column that becomes a coordinate is no radius any more.
     if (isCenter && (chosen.r === chosen.x || chosen.r === chosen.y)) chosen = { ...chosen, r: SAME }
     if (isCenter || changed.r !== undefined) chosen = { ...chosen, ...scaleOf(table, chosen) }
-    look()
+    show()
   }
-  const look = async () => {
+  const show = async () => {
     turn += 1
     const now = turn
     circles = problem() === '' ? circlesOfTable(table, chosen) : NONE
     seen = undefined
     draw()
     if (circles.length === 0) return
-    const asked = queue.add(circles.slice(), 'preview').catch((error: Error) => error)
-    void queue.drain(preview)
-    const next = await asked
+    const next = await queue.add(circles.slice(), 'preview').catch((error: Error) => error)
     if (now !== turn || !dialog.open) return
     seen = next
     draw()
   }
 
   /** Returns a sentence about hidden circles and invalid rows. */
-  const told = (): string => {
+  const summary = (): string => {
     if (seen instanceof Error) return seen.message
     const count = circles.length / 3
     const left = rows.length - count
@@ -157,7 +155,7 @@ export function chooseColumns(
             </div>
             ${pictureOf(circles, seen)}
           </div>
-          <p class=${wrong === '' ? 'quiet told' : 'wrong told'} aria-live="polite">${wrong || told()}</p>
+          <p class=${wrong === '' ? 'quiet told' : 'wrong told'} aria-live="polite">${wrong || summary()}</p>
           <div class="preview">
             <table>
               <thead>
@@ -188,7 +186,7 @@ export function chooseColumns(
     )
   }
 
-  look()
+  show()
   dialog.returnValue = ''
   dialog.showModal()
   return new Promise((resolve) => {

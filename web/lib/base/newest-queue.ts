@@ -14,8 +14,14 @@ export class NewestQueue<Work, Answer> {
   #waiting: Queued<Work, Answer>[] = []
   /** Pending work that newer work of the same key replaces. */
   readonly #newest = new Map<unknown, Queued<Work, Answer>>()
+  readonly #act: ((work: Work) => Promise<Answer>) | undefined
   #current: Work | undefined
   #isBusy = false
+
+  /** `act` runs the work, one after the other. Without it, the work waits until it is taken. */
+  constructor(act?: (work: Work) => Promise<Answer>) {
+    this.#act = act
+  }
 
   /** Adds work. If `key` is given, later work with this key may replace it. */
   add(work: Work, key?: unknown): Promise<Answer> {
@@ -29,6 +35,7 @@ export class NewestQueue<Work, Answer> {
       const queued = { work, askers: [{ resolve, reject }] }
       this.#waiting.push(queued)
       if (key !== undefined) this.#newest.set(key, queued)
+      if (this.#act !== undefined && !this.#isBusy) void this.#run(this.#act)
     })
   }
 
@@ -38,7 +45,7 @@ export class NewestQueue<Work, Answer> {
     else this.#newest.delete(key)
   }
 
-  /** The work that `drain` is running, and the pending work. */
+  /** The work that is running, and the pending work. */
   get works(): readonly Work[] {
     const waiting = this.#waiting.map(({ work }) => work)
     return this.#current === undefined ? waiting : [this.#current, ...waiting]
@@ -52,9 +59,7 @@ export class NewestQueue<Work, Answer> {
     return taken
   }
 
-  /** Runs pending work one after the other. Does nothing if it is already running. */
-  async drain(act: (work: Work) => Promise<Answer>): Promise<void> {
-    if (this.#isBusy) return
+  async #run(act: (work: Work) => Promise<Answer>): Promise<void> {
     this.#isBusy = true
     for (let next = this.#waiting.shift(); next !== undefined; next = this.#waiting.shift()) {
       for (const [key, queued] of this.#newest) if (queued === next) this.#newest.delete(key)
