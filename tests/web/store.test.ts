@@ -71,3 +71,19 @@ it('the next frame comes once, also in a hidden tab, which draws none, and leave
     vi.useRealTimers()
   }
 })
+
+it('tells a watcher of each new value at once, with the former one, until that is ended', () => {
+  const store = createStore(1)
+  const told: number[][] = []
+  const end = store.watch((...values) => told.push(values))
+  store.update((value) => value + 1)
+  store.update((value) => value)
+  store.update((value) => value + 1)
+  end()
+  store.update((value) => value + 1)
+  expect(told).toEqual([
+    [2, 1],
+    [3, 2],
+  ])
+  expect(frames).toEqual([])
+})
