@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import type { Circle, Edit, Point } from '../lib/index.ts'
 import { plainRegion } from '../lib/regions/region-shape.ts'
 import { gridSpacing } from '../view/axes.ts'
@@ -6,67 +7,45 @@ import type { Domain } from '../view/domain.ts'
 import { roundStep } from '../view/round-step.ts'
 import type { Edited } from '../view/scene-client.ts'
 import { short } from '../view/short.ts'
-import type { Store } from '../view/store.ts'
-import type { View } from '../view/view.ts'
 import { type IdentifiedCircle, middleOf, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
-import { type CameraActions, USUAL_RADIUS } from './camera-actions.ts'
-import type { Editing } from './editing.ts'
-import type { FigureActions } from './figure-actions.ts'
-import type { Messages } from './messages.ts'
-import type { SelectionActions } from './selection-actions.ts'
-import type { State } from './state.ts'
-import type { Tools } from './tools.ts'
+import { USUAL_RADIUS } from './camera-actions.ts'
+import type { FigureParts, SharedActions } from './figure-actions.ts'
 
 /** Offset of a copy from its original, in pixels. */
 const ASIDE = 16
 
 /** Adding, changing and removing circles. */
 export class CircleActions {
-  readonly #store: Store<State>
-  readonly #editing: Editing
-  readonly #view: View
-  readonly #camera: CameraActions
-  readonly #selection: SelectionActions
-  readonly #tools: Tools
-  readonly #messages: Messages
+  readonly #figure: FigureParts
+  readonly #actions: SharedActions
   /** Whether the circles can be selected but not edited. */
   isReadonly = false
   #pending: Promise<unknown> | undefined
 
-  constructor(
-    store: Store<State>,
-    editing: Editing,
-    view: View,
-    { camera, selection, tools, messages }: Pick<FigureActions, 'camera' | 'selection' | 'tools' | 'messages'>,
-  ) {
-    this.#store = store
-    this.#editing = editing
-    this.#view = view
-    this.#camera = camera
-    this.#selection = selection
-    this.#tools = tools
-    this.#messages = messages
+  constructor(figure: FigureParts, actions: SharedActions) {
+    this.#figure = figure
+    this.#actions = actions
   }
 
   circle(id: number): Circle | undefined {
-    return this.isReadonly ? undefined : this.#editing.circles.get(id)
+    return this.isReadonly ? undefined : this.#figure.editing.circles.get(id)
   }
 
   beginGesture(): number {
-    return this.#editing.beginGesture()
+    return this.#figure.editing.beginGesture()
   }
 
   /** The selected circles, with pending edits applied. */
   selectedCircles(): IdentifiedCircle[] {
     if (this.isReadonly) return []
-    return this.#store.get().selection.flatMap((id) => {
-      const circle = this.#editing.latest(id)
+    return this.#figure.store.get().selection.flatMap((id) => {
+      const circle = this.#figure.editing.latest(id)
       return circle === undefined ? [] : [{ id, circle }]
     })
   }
 
   set(changes: readonly IdentifiedCircle[], gesture = this.beginGesture()): void {
-    this.#editing.replace(changes, gesture)
+    this.#figure.editing.replace(changes, gesture)
   }
 
   /**
@@ -77,12 +56,12 @@ export class CircleActions {
   setDomain(change: Partial<Domain>, gesture?: number, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     const { region } = change
     const plain = region === undefined ? change : { ...change, region: plainRegion(region) }
-    return this.#editing.edit(edits, gesture, plain)
+    return this.#figure.editing.edit(edits, gesture, plain)
   }
 
   /** Applies all edits or none as one undo step. Resolves to `undefined` if refused. */
   edit(edits: readonly Edit[]): Promise<Edited | undefined> {
-    return this.#editing.edit(edits)
+    return this.#figure.editing.edit(edits)
   }
 
   /** Adds circles and selects them. Returns their ids, or none if they were refused. */
@@ -92,17 +71,17 @@ export class CircleActions {
 
   async #add(circles: readonly Circle[], gesture: number): Promise<readonly number[]> {
     if (this.isReadonly) return []
-    const edited = await this.#editing.edit(
+    const edited = await this.#figure.editing.edit(
       circles.map((circle) => ({ kind: 'insert', circle })),
       gesture,
     )
     if (edited === undefined) return []
     const ids = [...edited.inserted]
-    this.#selection.select(ids)
-    this.#messages.say(
+    this.#actions.selection.select(ids)
+    this.#actions.messages.say(
       ids.length === 1
-        ? this.#messages.words.added(this.#messages.called(ids[0] as number))
-        : this.#messages.words.addedMany(ids.length),
+        ? this.#actions.messages.words.added(this.#actions.messages.called(ids[0] as number))
+        : this.#actions.messages.words.addedMany(ids.length),
     )
     return ids
   }
@@ -116,19 +95,19 @@ export class CircleActions {
   async addInRoom(): Promise<void> {
     if (this.isReadonly) return
     const gesture = this.beginGesture()
-    const { x, y, scale } = this.#view.camera
+    const { x, y, scale } = this.#figure.view.camera
     const usual = USUAL_RADIUS / scale
-    const room = await this.#view.ask('room', x, y)
+    const room = await this.#figure.view.ask('room', x, y)
     const circle = room === undefined ? { x, y, r: usual } : { ...room, r: Math.min(room.r, usual) }
     const ids = await this.add([circle], gesture)
-    if (ids[0] !== undefined) this.#camera.revealCircle(ids[0])
+    if (ids[0] !== undefined) this.#actions.camera.revealCircle(ids[0])
   }
 
   /** A new circle at a point, with some room to the nearest circle; `undefined` where none fits. */
   fitted({ x, y }: Point): Circle | undefined {
     if (this.isReadonly) return undefined
-    const usual = USUAL_RADIUS / this.#view.camera.scale
-    const nearest = this.#view.hitAt({ x, y }, 0)
+    const usual = USUAL_RADIUS / this.#figure.view.camera.scale
+    const nearest = this.#figure.view.hitAt({ x, y }, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
     return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
@@ -136,35 +115,37 @@ export class CircleActions {
 
   /** Adds copies of the selected circles at an offset. */
   async duplicateSelected(): Promise<void> {
-    const aside = roundStep(ASIDE / this.#view.camera.scale)
+    const aside = roundStep(ASIDE / this.#figure.view.camera.scale)
     const circles = this.selectedCircles().map(({ circle: { x, y, r } }) => ({
       x: stepped(x, aside),
       y: stepped(y, -aside),
       r,
     }))
     const { length } = circles.length > 0 ? await this.add(circles) : []
-    if (length > 0) this.#messages.say(this.#messages.words.duplicated(length))
+    if (length > 0) this.#actions.messages.say(this.#actions.messages.words.duplicated(length))
   }
 
   /** Adds copies of circles: at an offset, or in the middle of the view if they are outside. */
   async paste(circles: readonly Circle[], times: number): Promise<void> {
     const { x, y } = middleOf(circles)
-    const { camera } = this.#view
+    const { camera } = this.#figure.view
     const aside = times * roundStep(ASIDE / camera.scale)
-    const [dx, dy] = this.#camera.shows({ x, y }) ? [aside, -aside] : [camera.x + aside - x, camera.y - aside - y]
+    const [dx, dy] = this.#actions.camera.shows({ x, y })
+      ? [aside, -aside]
+      : [camera.x + aside - x, camera.y - aside - y]
     await this.add(circles.map((circle) => ({ x: stepped(circle.x, dx), y: stepped(circle.y, dy), r: circle.r })))
   }
 
   async removeSelected(): Promise<void> {
     const ids = this.selectedCircles().map(({ id }) => id)
     if (ids.length === 0) return
-    this.#selection.select([])
-    const edited = await this.#editing.edit(ids.map((id) => ({ kind: 'remove', id })))
+    this.#actions.selection.select([])
+    const edited = await this.#figure.editing.edit(ids.map((id) => ({ kind: 'remove', id })))
     if (edited === undefined) return
-    this.#messages.say(
+    this.#actions.messages.say(
       ids.length === 1
-        ? this.#messages.words.deleted(this.#messages.called(ids[0] as number))
-        : this.#messages.words.deletedMany(ids.length),
+        ? this.#actions.messages.words.deleted(this.#actions.messages.called(ids[0] as number))
+        : this.#actions.messages.words.deletedMany(ids.length),
     )
   }
 
@@ -194,8 +175,9 @@ export class CircleActions {
     const [only, ...others] = changed
     if (only === undefined) return
     const { x, y, r } = only.circle
-    const numbers = () => this.#messages.words.numbers(this.#messages.called(only.id), short(x), short(y), short(r))
-    this.#messages.say(others.length === 0 ? numbers() : this.#messages.words.moved(changed.length))
+    const numbers = () =>
+      this.#actions.messages.words.numbers(this.#actions.messages.called(only.id), short(x), short(y), short(r))
+    this.#actions.messages.say(others.length === 0 ? numbers() : this.#actions.messages.words.moved(changed.length))
   }
 
   /**
@@ -203,22 +185,22 @@ export class CircleActions {
    * changes its radius.
    */
   snapped(circle: Circle, within: number, sizes: boolean): Circle {
-    const grid = gridSpacing(this.#view.camera.scale)
+    const grid = gridSpacing(this.#figure.view.camera.scale)
     // Circles on a visible grid always have its coordinates, and do not touch their neighbors instead.
-    const snapping = this.#view.layers.grid
+    const snapping = this.#figure.view.layers.grid
       ? { others: [], grid, within: grid }
-      : { others: this.#selection.neighbors(), grid, within }
+      : { others: this.#actions.selection.neighbors(), grid, within }
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
   }
 
   /** While a polygon is drawn, undo removes its last corner. */
   async undo(): Promise<void> {
-    if (this.#tools.tool === 'draw' && this.#tools.pen?.undo() === true) return
-    await this.#selecting(() => this.#go(() => this.#editing.undo()))
+    if (this.#actions.tools.tool === 'draw' && this.#actions.tools.pen?.undo() === true) return
+    await this.#selecting(() => this.#go(() => this.#figure.editing.undo()))
   }
 
   redo(): Promise<void> {
-    return this.#selecting(() => this.#go(() => this.#editing.redo()))
+    return this.#selecting(() => this.#go(() => this.#figure.editing.redo()))
   }
 
   /** Settles once all edits that select circles are done; `undefined` if none are pending. */
@@ -237,14 +219,15 @@ export class CircleActions {
 
   async #go(go: () => Promise<Edited | undefined>): Promise<void> {
     if (this.isReadonly) return
-    const { scene } = this.#editing
-    const { lattice } = this.#editing.domain
+    const { scene } = this.#figure.editing
+    const { lattice } = this.#figure.editing.domain
     const edited = await go()
     const ids = [...(edited?.inserted ?? [])]
-    if (ids.length > 0) this.#selection.select(ids)
-    if (ids.length === 1) this.#camera.revealCircle(ids[0] as number)
-    if (this.#editing.scene !== scene) this.#view.setCamera(this.#camera.fittedTo(this.#editing.circles.box()))
+    if (ids.length > 0) this.#actions.selection.select(ids)
+    if (ids.length === 1) this.#actions.camera.revealCircle(ids[0] as number)
+    if (this.#figure.editing.scene !== scene)
+      this.#figure.view.setCamera(this.#actions.camera.fittedTo(this.#figure.editing.circles.box()))
     // Circles may have moved into the box, or back.
-    else if (this.#editing.domain.lattice !== lattice) this.#camera.showView(undefined)
+    else if (this.#figure.editing.domain.lattice !== lattice) this.#actions.camera.showView(undefined)
   }
 }

@@ -24,6 +24,16 @@ export interface FigureActions {
   readonly circles: CircleActions
 }
 
+/** The actions that other actions call. */
+export type SharedActions = Pick<FigureActions, 'camera' | 'selection' | 'tools' | 'messages'>
+
+/** The figure that actions act on. */
+export interface FigureParts {
+  readonly store: Store<State>
+  readonly editing: Editing
+  readonly view: View
+}
+
 /** `padding` is kept free when everything is shown. */
 export function figureActions(
   store: Store<State>,
@@ -34,12 +44,13 @@ export function figureActions(
   const messages = new Messages(store, editing)
   const tools = new Tools(store, messages)
   const camera = new CameraActions(store, editing, view, padding)
-  const selection = new SelectionActions(store, editing, view, camera, messages)
+  const figure = { store, editing, view }
+  const selection = new SelectionActions(figure, { camera, messages })
   const shared = { camera, selection, tools, messages }
   return {
     ...shared,
-    opening: new OpeningActions(store, editing, view, shared),
-    circles: new CircleActions(store, editing, view, shared),
+    opening: new OpeningActions(figure, shared),
+    circles: new CircleActions(figure, shared),
   }
 }
 

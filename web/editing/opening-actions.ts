@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { COORDINATE_LIMIT, SMALLEST_INPUT } from '../lib/base/coordinate-limits.ts'
 import type { Point } from '../lib/index.ts'
 import type { LinkInput } from '../lib/link.ts'
@@ -6,18 +7,12 @@ import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { HANDLE_RADIUS } from '../view/overlay.ts'
-import type { Store } from '../view/store.ts'
-import type { View } from '../view/view.ts'
 import { fileAttributes, NO_ATTRIBUTES } from './attributes.ts'
-import { type CameraActions, isSameCamera } from './camera-actions.ts'
-import type { Editing } from './editing.ts'
-import type { FigureActions } from './figure-actions.ts'
-import type { Messages } from './messages.ts'
+import { isSameCamera } from './camera-actions.ts'
+import type { FigureParts, SharedActions } from './figure-actions.ts'
 import type { OpenRequest } from './open-request.ts'
 import { circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
-import type { SelectionActions } from './selection-actions.ts'
-import { type State, showStep } from './state.ts'
-import type { Tools } from './tools.ts'
+import { showStep } from './state.ts'
 
 /** Initial length of a path, relative to the width that no panel covers. */
 const PATH_SHARE = 0.6
@@ -38,13 +33,8 @@ export type HowOpened = 'opened' | 'refused' | 'superseded'
 
 /** Opening circles, and the link that opens the current ones. */
 export class OpeningActions {
-  readonly #store: Store<State>
-  readonly #editing: Editing
-  readonly #view: View
-  readonly #camera: CameraActions
-  readonly #selection: SelectionActions
-  readonly #tools: Tools
-  readonly #messages: Messages
+  readonly #figure: FigureParts
+  readonly #actions: SharedActions
   /** Links to named data sets with more circles than this store only the name. */
   mostNamed = 0
   /** Called with each request that was opened. */
@@ -55,33 +45,23 @@ export class OpeningActions {
   /** Stops waiting for a download that may never finish. */
   #stopLoading: () => void = () => {}
 
-  constructor(
-    store: Store<State>,
-    editing: Editing,
-    view: View,
-    { camera, selection, tools, messages }: Pick<FigureActions, 'camera' | 'selection' | 'tools' | 'messages'>,
-  ) {
-    this.#store = store
-    this.#editing = editing
-    this.#view = view
-    this.#camera = camera
-    this.#selection = selection
-    this.#tools = tools
-    this.#messages = messages
+  constructor(figure: FigureParts, actions: SharedActions) {
+    this.#figure = figure
+    this.#actions = actions
   }
 
   /** The current state in the form of a link; `undefined` before the first opening. */
   linkState(): LinkInput | undefined {
-    const { scene, circles, domain, areas, colors } = this.#editing
+    const { scene, circles, domain, areas, colors } = this.#figure.editing
     if (scene === undefined) return undefined
-    const { camera, size } = this.#view
-    const layers = keptLayers(this.#view.layers)
-    const { step, method } = this.#store.get()
+    const { camera, size } = this.#figure.view
+    const layers = keptLayers(this.#figure.view.layers)
+    const { step, method } = this.#figure.store.get()
     // A data set has its own attributes, and areas are stored in the order of the circles.
-    const hasOther = this.#editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
+    const hasOther = this.#figure.editing.attributes !== (scene.attributes ?? NO_ATTRIBUTES)
     const isWritten = Array.isArray(areas) || hasOther
     const said = isWritten ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
-    const attributes = said.circles && fileAttributes(this.#editing)
+    const attributes = said.circles && fileAttributes(this.#figure.editing)
     const hasCircles = said.circles !== undefined || said.edits !== undefined
     return {
       ...said,
@@ -91,7 +71,7 @@ export class OpeningActions {
       ...regionOfLink(scene, domain),
       ...(domain.lattice && { lattice: domain.lattice }),
       ...(areas !== undefined && { areas }),
-      ...(!this.#camera.isWhole && { view: viewOfLink(camera, size) }),
+      ...(!this.#actions.camera.isWhole && { view: viewOfLink(camera, size) }),
       ...(Object.keys(layers).length > 0 && { layers }),
       ...(step !== undefined && { step, method }),
     }
@@ -115,51 +95,53 @@ export class OpeningActions {
     try {
       this.onstage('loading', 0)
       // Opening new circles clears the previous problem.
-      this.#messages.complain('')
+      this.#actions.messages.complain('')
       const opened = await Promise.race([load(), stopped])
       if (opened === undefined || isSuperseded()) return 'superseded'
       const { edits, view, layers, step, method, ...scene } = opened
-      const before = { camera: this.#view.camera, selection: this.#store.get().selection }
-      this.#selection.select([])
-      const cameraNow = () => this.#camera.cameraFor(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
+      const before = { camera: this.#figure.view.camera, selection: this.#figure.store.get().selection }
+      this.#actions.selection.select([])
+      const cameraNow = () =>
+        this.#actions.camera.cameraFor(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
       const camera = cameraNow()
       // The camera moves before circles are computed, so that they are painted where they are seen. Circles out of range
       // will be refused, and the former ones cannot be painted at their scale.
-      if (isInRange(scene.circles)) this.#view.setCamera(camera)
+      if (isInRange(scene.circles)) this.#figure.view.setCamera(camera)
       this.onstage('computing', scene.circles.length / 3)
-      const edited = await this.#editing.open(scene, edits)
+      const edited = await this.#figure.editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
       if (edited === undefined) {
-        this.#view.setCamera(before.camera)
-        const { problem } = this.#store.get()
-        this.#selection.select(before.selection)
-        this.#messages.complain(problem)
+        this.#figure.view.setCamera(before.camera)
+        const { problem } = this.#figure.store.get()
+        this.#actions.selection.select(before.selection)
+        this.#actions.messages.complain(problem)
         return 'refused'
       }
       end = 'opened'
       // A panel may have opened beside the picture since, which changes the padding.
-      if (this.#view.camera === camera && !isSameCamera(camera, cameraNow())) this.#view.setCamera(cameraNow())
-      if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
+      if (this.#figure.view.camera === camera && !isSameCamera(camera, cameraNow()))
+        this.#figure.view.setCamera(cameraNow())
+      if (layers !== undefined) this.#figure.view.setLayers(layersFrom(layers))
       else this.#forgetPlaces()
-      this.#tools.useTool('select')
-      const isPlayed = this.#store.get().step !== undefined
-      if ('step' in opened) this.#store.update((state) => ({ ...state, step, method, stage: undefined }))
-      else showStep(this.#store, isPlayed ? 0 : undefined)
+      this.#actions.tools.useTool('select')
+      const isPlayed = this.#figure.store.get().step !== undefined
+      if ('step' in opened) this.#figure.store.update((state) => ({ ...state, step, method, stage: undefined }))
+      else showStep(this.#figure.store, isPlayed ? 0 : undefined)
       this.onopened(opened)
       return 'opened'
     } catch (error) {
       if (isSuperseded()) return 'superseded'
-      this.#messages.complain((error as Error).message)
+      this.#actions.messages.complain((error as Error).message)
       return 'refused'
     } finally {
-      if (!isSuperseded()) this.onstage(end, this.#editing.circles.count)
+      if (!isSuperseded()) this.onstage(end, this.#figure.editing.circles.count)
     }
   }
 
   /** Cancels the current opening; the circles stay. */
   cancelOpening(): void {
     // Drops circles that are still loading.
-    if (!this.#view.cancel()) {
+    if (!this.#figure.view.cancel()) {
       this.#lastLoad += 1
       this.#stopLoading()
       this.onstage('refused', 0)
@@ -168,19 +150,19 @@ export class OpeningActions {
 
   /** Removes layers that refer to positions among the former circles. */
   #forgetPlaces(): void {
-    const { path, nearZero, maxDistance } = this.#view.layers
+    const { path, nearZero, maxDistance } = this.#figure.view.layers
     if (path === undefined && nearZero === undefined && maxDistance === undefined) return
-    this.#view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
+    this.#figure.view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
   }
 
   /** A path across the part of the plane that no panel covers, with its ends outside of circles. */
   pathAcross(): NonNullable<Layers['path']> {
-    const { minX, minY, maxX, maxY } = this.#camera.uncovered
+    const { minX, minY, maxX, maxY } = this.#actions.camera.uncovered
     const margin = ((1 - PATH_SHARE) / 2) * (maxX - minX)
-    const slack = HANDLE_RADIUS / this.#view.camera.scale
+    const slack = HANDLE_RADIUS / this.#figure.view.camera.scale
     const endAt = (x: number): Point => {
       const places = PATH_ROWS.map((row) => ({ x, y: (minY + maxY) / 2 + row * (maxY - minY) }))
-      const isFree = (place: Point) => [undefined, 'cell'].includes(this.#view.hitAt(place, slack)?.part)
+      const isFree = (place: Point) => [undefined, 'cell'].includes(this.#figure.view.hitAt(place, slack)?.part)
       return places.find(isFree) ?? (places[0] as Point)
     }
     return { from: endAt(minX + margin), to: endAt(maxX - margin) }
