@@ -42,7 +42,7 @@ it('what is refused is thrown and told, and changes nothing', async () => {
   ] as const) {
     const refused = await act().catch((error) => error)
     expect([refused.code, problems.at(-1)]).toEqual([code, refused])
-    expect([figure.isTold(refused), figure.isTold(new Error())]).toEqual([true, false])
+    expect([figure.isReported(refused), figure.isReported(new Error())]).toEqual([true, false])
   }
   expect([problems.length, circles()]).toEqual([4, THREE])
 })

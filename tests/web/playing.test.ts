@@ -211,7 +211,7 @@ describe('the player', () => {
   })
 
   it('has its texts in the language of the page', async () => {
-    words = { ...WORDS, lang: 'xx', play: 'PLAY', told: () => 'Zu viele.' }
+    words = { ...WORDS, lang: 'xx', play: 'PLAY', localized: () => 'Zu viele.' }
     figure.stepping.redraw()
     expect([root().lang, controls(root()).has('PLAY')]).toEqual(['xx', true])
     await replayed(() => figure.open(scene(MANY)))

@@ -4,8 +4,8 @@ import { encodeLinkAtOnce, type LinkInput } from '../lib/link.ts'
 import type { LinkWriter } from './link-writer.ts'
 import { type SavedScene, SceneStorage } from './scene-storage.ts'
 
-/** Debounce delay in milliseconds. */
-const REST = 400
+/** Pause after a change before it is saved, in milliseconds. */
+const DELAY = 400
 /** Longer links are saved to the storage only, because addresses must stay short enough to copy. */
 const LONGEST_ADDRESS = 100_000
 
@@ -55,7 +55,7 @@ export class StatePersistence {
   changed(): void {
     this.#isKept = false
     clearTimeout(this.#timer)
-    this.#timer = setTimeout(() => this.#write(), REST)
+    this.#timer = setTimeout(() => this.#write(), DELAY)
   }
 
   /** Whether the address has a link that has not been opened. */

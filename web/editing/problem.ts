@@ -13,11 +13,11 @@ export interface ProblemWords extends Refusals {
  */
 export function problemOf(error: Error, hasCircles: boolean, words?: ProblemWords): string {
   const isOfLibrary = error instanceof CircleVoronoiError
-  const text = words === undefined ? error.message : told(error, words)
+  const text = words === undefined ? error.message : localized(error, words)
   return isOfLibrary || !hasCircles ? text : `${text} ${(words ?? ENGLISH_REFUSALS).nothingChanged}`
 }
 
-function told(error: Error, words: ProblemWords): string {
+function localized(error: Error, words: ProblemWords): string {
   if ('say' in error) return (error as LocalizedError<ProblemWords>).say(words)
   return error instanceof CircleVoronoiError ? words.coded(error) : error.message
 }

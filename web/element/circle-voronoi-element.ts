@@ -30,7 +30,15 @@ import type { Goal } from './goal-types.ts'
 import { goalRings, goalSentence, goalsOf } from './goals.ts'
 import { whenIdle } from './idle.ts'
 import { loadWords, wordsOf } from './language.ts'
-import { attributeText, PROPERTIES, type Property, type PropertyName, type ValueOf, type Values } from './properties.ts'
+import {
+  attributeText,
+  type Part,
+  PROPERTIES,
+  type Property,
+  type PropertyName,
+  type ValueOf,
+  type Values,
+} from './properties.ts'
 import { circlesOfValue } from './read-circles.ts'
 import { refuse } from './refusals.ts'
 import { Shell } from './shell.ts'
@@ -182,7 +190,7 @@ export class CircleVoronoiElement extends Base {
   /** The values of properties, which replace those of attributes. */
   readonly #assigned: Values = {}
   /** The data that was set by properties instead of attributes and children. */
-  #own: OpenRequest | undefined
+  #request: OpenRequest | undefined
   #isMet: boolean | undefined
   #goals: readonly Goal[] = []
   /** The goals in a sentence, as the last event told them. */
@@ -196,7 +204,7 @@ export class CircleVoronoiElement extends Base {
   #stopWatching: (() => void) | undefined
   #stopWaiting: (() => void) | undefined
   /** The undo history of a figure that has ended, for when its circles are shown again. */
-  #past: { readonly own: OpenRequest; readonly past: Past } | undefined
+  #past: { readonly request: OpenRequest; readonly past: Past } | undefined
   #printed: PrintDrawing | undefined
   /** The cached `value`, and the number of its change. */
   #cached: { readonly circles: Float64s; readonly change: number } | undefined
@@ -220,7 +228,29 @@ export class CircleVoronoiElement extends Base {
   #changes = 0
   #ready = new Deferred()
   /** The errors of attributes and properties, by name. */
-  readonly #wrong = new Map<string, Error>()
+  readonly #errors = new Map<string, Error>()
+  /** Updates each part of the figure that a property changes. */
+  readonly #updates: Readonly<Record<Part, () => void>> = {
+    check: () => {
+      this.#tellForm()
+      this.#checkCircles()
+    },
+    circles: () => this.#setRequest(undefined),
+    controls: () => {
+      this.#applyControls()
+      const step = this.#value('step')
+      this.#play(step !== undefined || this.#value('controls').hasPlayer ? (this.#figure?.step ?? step) : undefined)
+    },
+    description: () => this.#describe(),
+    domain: () => this.#changeDomain(),
+    editing: () => this.#applyControls(),
+    form: () => {},
+    language: () => this.#speak(),
+    layers: () => this.#figure?.view.setLayers(this.#value('layers')),
+    method: () => this.#figure?.stepping.restart(),
+    step: () => this.#play(this.#value('step')),
+    view: () => this.#figure?.actions.camera.showView(this.view),
+  }
 
   /** Creates an element, as `document.createElement` does. */
   constructor() {
@@ -275,7 +305,7 @@ export class CircleVoronoiElement extends Base {
       const parsed = text === null ? undefined : PROPERTIES[name as PropertyName].parse(text)
       Object.assign(this.#parsed, { [name]: parsed })
       Object.assign(this.#assigned, { [name]: undefined })
-      this.#follow(name as PropertyName)
+      this.#updates[PROPERTIES[name as PropertyName].part]()
     })
   }
 
@@ -296,11 +326,11 @@ export class CircleVoronoiElement extends Base {
 
   #set(name: PropertyName, given: unknown): void {
     const value = given ?? undefined
-    const { copied }: Property = PROPERTIES[name]
+    const { copied, part }: Property = PROPERTIES[name]
     if (copied !== undefined && typeof value !== 'string') {
       this.#try(name, () => {
         Object.assign(this.#assigned, { [name]: value === undefined ? undefined : copied(value as never) })
-        this.#follow(name)
+        this.#updates[part]()
       })
       return
     }
@@ -313,52 +343,7 @@ export class CircleVoronoiElement extends Base {
     }
     if (text !== undefined) this.setAttribute(name, text)
     else if (this.hasAttribute(name)) this.removeAttribute(name)
-    else this.#right(name)
-  }
-
-  /** Updates the part of the figure that a property changes. */
-  #follow(name: PropertyName): void {
-    const figure = this.#figure
-    const { part }: Property = PROPERTIES[name]
-    switch (part) {
-      case 'check':
-        this.#tellForm()
-        this.#checkCircles()
-        break
-      case 'circles':
-        this.#own = undefined
-        if (figure !== undefined) this.#reload()
-        break
-      case 'controls': {
-        this.#applyControls()
-        const step = this.#value('step')
-        this.#play(step !== undefined || this.#value('controls').hasPlayer ? (figure?.step ?? step) : undefined)
-        break
-      }
-      case 'description':
-        this.#describe()
-        break
-      case 'domain':
-        this.#changeDomain()
-        break
-      case 'editing':
-        this.#applyControls()
-        break
-      case 'language':
-        this.#speak()
-        break
-      case 'layers':
-        figure?.view.setLayers(this.#value('layers'))
-        break
-      case 'method':
-        figure?.stepping.restart()
-        break
-      case 'step':
-        this.#play(this.#value('step'))
-        break
-      case 'view':
-        figure?.actions.camera.showView(this.view)
-    }
+    else this.#clearError(name)
   }
 
   /** Disables editing while the form, or a group of its fields, is disabled. */
@@ -369,8 +354,7 @@ export class CircleVoronoiElement extends Base {
 
   /** Restores the circles of the attributes and children. */
   formResetCallback(): void {
-    this.#own = undefined
-    if (this.#figure !== undefined) this.#reload()
+    this.#setRequest(undefined)
   }
 
   /** Restores the circles that the browser has kept. */
@@ -400,7 +384,7 @@ export class CircleVoronoiElement extends Base {
    */
   get circles(): Float64s {
     if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.circles.circles()
-    return this.#own?.circles.slice() ?? new Float64Array()
+    return this.#request?.circles.slice() ?? new Float64Array()
   }
 
   set circles(circles: CircleVoronoiProps['circles']) {
@@ -435,7 +419,7 @@ export class CircleVoronoiElement extends Base {
   get ids(): Int32Array {
     const editing = this.#figure?.editing
     if (editing?.scene !== undefined) return editing.circles.ids()
-    return this.#own?.kept?.ids.slice() ?? Int32Array.from({ length: this.circles.length / 3 }, (_, i) => i)
+    return this.#request?.kept?.ids.slice() ?? Int32Array.from({ length: this.circles.length / 3 }, (_, i) => i)
   }
 
   /**
@@ -521,7 +505,7 @@ export class CircleVoronoiElement extends Base {
   async compute(): Promise<Computation> {
     const figure = await this.#started()
     for (const name of ['method', 'samples']) {
-      const wrong = this.#wrong.get(name)
+      const wrong = this.#errors.get(name)
       if (wrong !== undefined) throw wrong
     }
     const { method, samples } = this
@@ -534,13 +518,12 @@ export class CircleVoronoiElement extends Base {
   /** Returns the state of the figure as plain data, which `JSON.stringify` and `encodeLink` take. */
   getState(): FigureState {
     const circles = listOf(this.circles)
-    const own = this.#own
+    const request = this.#request
     const { region, lattice, areas } = this
     const { view, layers, step, method } = this.#figure?.actions.opening.linkState() ?? {
-      view: own?.view,
-      layers: own?.layers ?? keptLayers(this.layers),
-      step: this.step ?? own?.step,
-      method: own?.method,
+      ...request,
+      layers: request?.layers ?? keptLayers(this.layers),
+      step: this.step ?? request?.step,
     }
     return {
       circles,
@@ -572,7 +555,7 @@ export class CircleVoronoiElement extends Base {
     const next = requestOfState(said)
     const opening = { ...next, layers: next.layers ?? {}, step: next.step ?? this.#firstStep }
     await this.#byProgram(() => figure.open(opening))
-    this.#own = next
+    this.#request = next
   }
 
   /** Plays the method from the visible step, or from the beginning. The promise resolves when playback has begun. */
@@ -611,7 +594,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   get #isOfChildren(): boolean {
-    return this.#own === undefined && !this.hasAttribute('circles') && !this.hasAttribute('src')
+    return this.#request === undefined && !this.hasAttribute('circles') && !this.hasAttribute('src')
   }
 
   async #started(): Promise<Figure> {
@@ -638,7 +621,7 @@ export class CircleVoronoiElement extends Base {
 
   #start(): void {
     if (this.#figure !== undefined) return
-    const { figure, picture, paper, controls, player, said } = this.#shell
+    const { figure, picture, print, controls, player, said } = this.#shell
     const places = { figure, around: picture, player, said }
     this.#figure = new Figure(places, {
       load: (this.constructor as typeof CircleVoronoiElement).load,
@@ -663,7 +646,7 @@ export class CircleVoronoiElement extends Base {
       words: () => this.#words.others,
     })
     const { store, editing, view } = this.#figure
-    this.#printed = new PrintDrawing(paper, async () =>
+    this.#printed = new PrintDrawing(print, async () =>
       view.size.width === 0 || editing.circles.count > MOST_DRAWN ? '' : toSVG(view),
     )
     for (const name of ['camera', 'layers', 'diagram', 'style', 'found', 'changed'] as const) {
@@ -717,9 +700,9 @@ export class CircleVoronoiElement extends Base {
       const { region = null, lattice = null } = figure.editing.domain
       const { circles, areas, colors, attributes, past } = figure.editing
       const rest = { view, layers, step, method, region, lattice, areas, colors }
-      const own = { ...requestOf({ circles: circles.circles(), ...rest }), kept: circles.keptIds, attributes }
-      this.#own = own
-      this.#past = { own, past }
+      const request = { ...requestOf({ circles: circles.circles(), ...rest }), kept: circles.keptIds, attributes }
+      this.#request = request
+      this.#past = { request, past }
     }
     this.#loading?.abort()
     this.#rings?.dispose()
@@ -754,7 +737,7 @@ export class CircleVoronoiElement extends Base {
   }
 
   async #open(figure: Figure, signal: AbortSignal): Promise<void> {
-    this.#right('circles')
+    this.#clearError('circles')
     try {
       await this.#speaking
       const given = await this.#opened(signal)
@@ -768,14 +751,14 @@ export class CircleVoronoiElement extends Base {
       const domain = opened.domain ?? (await this.#domain(signal))
       if (signal.aborted) return
       await this.#openIn(figure, domain, { ...opened, view, layers, step })
-      if (this.#past?.own === opened) figure.takeUp(this.#past.past)
+      if (this.#past?.request === opened) figure.takeUp(this.#past.past)
       this.#past = undefined
       figure.view.setLayers({ data: this.#value('layers').data })
     } catch (error) {
       if (signal.aborted) return
       if (figure.editing.scene === undefined) this.#shell.fail()
       // A refusal has been reported already.
-      if (!figure.isTold(error as Error)) this.#fail('circles', error as Error)
+      if (!figure.isReported(error as Error)) this.#fail('circles', error as Error)
     }
   }
 
@@ -792,10 +775,10 @@ export class CircleVoronoiElement extends Base {
         await figure.open({ ...opened, domain })
         return
       } catch (error) {
-        if (name === undefined || !figure.isTold(error as Error)) throw error
+        if (name === undefined || !figure.isReported(error as Error)) throw error
         // If the opening succeeds without the areas, they caused the error.
-        this.#wrong.delete('areas')
-        this.#wrong.set(name, error as Error)
+        this.#errors.delete('areas')
+        this.#errors.set(name, error as Error)
       }
     }
   }
@@ -810,7 +793,7 @@ export class CircleVoronoiElement extends Base {
       if (region !== undefined && this.dissolve) region = plainRegion(region, true)
     } catch (error) {
       // A file that cannot be loaded is reported once.
-      if (!signal.aborted && !this.#wrong.has('region')) this.#fail('region', error as Error)
+      if (!signal.aborted && !this.#errors.has('region')) this.#fail('region', error as Error)
     }
     return { ...domain, region }
   }
@@ -829,12 +812,12 @@ export class CircleVoronoiElement extends Base {
   get #currentDomain(): Domain {
     const editing = this.#figure?.editing
     if (editing?.scene !== undefined) return { ...editing.domain, areas: editing.areas }
-    return this.#own?.domain ?? this.#givenDomain
+    return this.#request?.domain ?? this.#givenDomain
   }
 
   /** Applies region and areas from attributes and properties. Simultaneous changes are applied together. */
   #changeDomain(): void {
-    if (this.#own !== undefined) this.#own = { ...this.#own, domain: undefined }
+    if (this.#request !== undefined) this.#request = { ...this.#request, domain: undefined }
     const figure = this.#figure
     if (figure === undefined || this.#isChanging) return
     this.#isChanging = true
@@ -850,7 +833,7 @@ export class CircleVoronoiElement extends Base {
 
   /** Returns the circles of properties, attributes or children; `undefined` if there are none. */
   async #opened(signal: AbortSignal): Promise<OpenRequest | undefined> {
-    if (this.#own !== undefined) return this.#own
+    if (this.#request !== undefined) return this.#request
     const read = this.#value('circles')
     if (read !== undefined) return read()
     if (this.src !== '') return requestAt(new URL(this.src, this.baseURI).href, signal)
@@ -898,7 +881,12 @@ export class CircleVoronoiElement extends Base {
 
   #setCircles(circles: Circles | undefined | null): void {
     this.#cached = undefined
-    this.#own = isSet(circles) ? requestOfText(circlesOfValue(circles)) : undefined
+    this.#setRequest(isSet(circles) ? requestOfText(circlesOfValue(circles)) : undefined)
+  }
+
+  /** Opens data in place of the data of attributes and children. `undefined` opens these. */
+  #setRequest(request: OpenRequest | undefined): void {
+    this.#request = request
     if (this.#figure !== undefined) this.#reload()
   }
 
@@ -988,22 +976,19 @@ export class CircleVoronoiElement extends Base {
 
   /** Returns the detail of an event, with a copy of the circles. */
   #detail(): CircleVoronoiEventMap['circleschange']['detail'] {
-    let circles: Float64s | undefined
-    const ids = () => this.ids
+    const element = this
     this.#changes += 1
     const turn = this.#changes
     this.#newest = undefined
-    const give = () => {
-      circles ??= this.circles
-      if (turn === this.#changes) this.#newest = circles
-      return circles
-    }
+    let circles: Float64s | undefined
     return {
       get circles() {
-        return give()
+        circles ??= element.circles
+        if (turn === element.#changes) element.#newest = circles
+        return circles
       },
       get ids() {
-        return ids()
+        return element.ids
       },
     }
   }
@@ -1012,25 +997,25 @@ export class CircleVoronoiElement extends Base {
   #try(name: string, act: () => void): void {
     try {
       act()
-      this.#right(name)
+      this.#clearError(name)
     } catch (error) {
       this.#fail(name, error as Error)
     }
   }
 
-  #right(name: string): void {
-    if (this.#wrong.delete(name)) this.#showProblems()
+  #clearError(name: string): void {
+    if (this.#errors.delete(name)) this.#showProblems()
   }
 
   #fail(name: string, error: Error): void {
-    this.#wrong.set(name, error)
+    this.#errors.set(name, error)
     this.#showProblems()
     this.#tell('error', { error })
   }
 
   #showProblems(): void {
     const refusals = this.#words.others?.refusals
-    const wrong = Array.from(this.#wrong.values(), (error) => problemOf(error, false, refusals))
+    const wrong = Array.from(this.#errors.values(), (error) => problemOf(error, false, refusals))
     const problem = this.#figure?.store.get().problem ?? ''
     this.#shell.problem = [...wrong, problem].filter((text) => text !== '').join(' ')
   }

@@ -209,7 +209,7 @@ const becauseOutside = (ids: readonly number[]) =>
 
 const PLAYER = {
   lang: 'de',
-  told: (error) => problemOf(error, false, REFUSALS),
+  localized: (error) => problemOf(error, false, REFUSALS),
   goals: {
     stage: 'Abschnitt',
     vertex: 'Ecke',

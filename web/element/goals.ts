@@ -52,7 +52,7 @@ export function goalsOf(check: Check, facts: Facts): Goal[] {
 export function goalSentence(goals: readonly Goal[], words: GoalWords): string {
   const values = new Map<string, { readonly goal: Goal; readonly now: string[] }>()
   for (const goal of goals) {
-    if (!isTold(goal)) continue
+    if (!isMentioned(goal)) continue
     const key = JSON.stringify([goal.name, goal.cell === undefined, goal.goal])
     const same = values.get(key) ?? { goal, now: [] }
     values.set(key, same)
@@ -71,7 +71,7 @@ export function goalRings(check: Check, goals: readonly Goal[], isMet: boolean, 
   return [...new Set(numbersIn(check))].map((id) => {
     const own = goals.filter(({ cell }) => cell === id)
     const values = own
-      .filter((goal) => isTold(goal) && typeof goal.value === 'number')
+      .filter((goal) => isMentioned(goal) && typeof goal.value === 'number')
       .map(({ name, value }) => words.counted(name, valueText(value, words)))
     return {
       id,
@@ -82,7 +82,7 @@ export function goalRings(check: Check, goals: readonly Goal[], isMet: boolean, 
   })
 }
 
-function isTold({ name, goal, isMet }: Goal): boolean {
+function isMentioned({ name, goal, isMet }: Goal): boolean {
   return typeof goal !== 'number' || !GIVEN.includes(name) || !isMet
 }
 

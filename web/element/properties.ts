@@ -23,13 +23,14 @@ import { requestOfText } from './data-of.ts'
 import { readCircles } from './read-circles.ts'
 
 /** The part of a figure that a property changes. */
-type Part =
+export type Part =
   | 'check'
   | 'circles'
   | 'controls'
   | 'description'
   | 'domain'
   | 'editing'
+  | 'form'
   | 'language'
   | 'layers'
   | 'method'
@@ -47,7 +48,7 @@ export interface Property<Value = unknown> {
   copied?(value: never): Value
   /** The value if there is no attribute. Default: `undefined`. */
   readonly none?: Value
-  readonly part?: Part
+  readonly part: Part
 }
 
 const TEXT = { parse: (text: string) => text, none: '' }
@@ -64,7 +65,7 @@ export const PROPERTIES = {
   lattice: { parse: parseLattice, copied: checkedLattice, part: 'domain' },
   layers: { parse: parseLayers, copied: checkedLayers, none: DEFAULT_LAYERS, part: 'layers' },
   method: { parse: parseMethod, none: 'auto', part: 'method' },
-  name: TEXT,
+  name: { ...TEXT, part: 'form' },
   readonly: { ...FLAG, part: 'editing' },
   region: { parse: parseRegion, copied: plainRegion, part: 'domain' },
   samples: { parse: parseSamples, part: 'method' },

@@ -14,7 +14,7 @@ export class Shell {
   /** The picture with its buttons. */
   readonly picture = make('div', 'picture')
   /** The drawing that is printed in place of pixels. */
-  readonly paper = make('div', 'paper')
+  readonly print = make('div', 'paper')
   readonly figure = make('div', 'figure circle-voronoi')
   readonly controls = make('div', 'controls')
   /** The player below the picture. */
@@ -56,9 +56,9 @@ export class Shell {
     this.#problem.setAttribute('part', 'problem')
     this.#problem.role = 'alert'
     this.#problem.hidden = true
-    this.paper.hidden = true
-    this.paper.ariaHidden = 'true'
-    this.frame.append(this.figure, this.paper, this.#fallback, this.#hint, this.#problem)
+    this.print.hidden = true
+    this.print.ariaHidden = 'true'
+    this.frame.append(this.figure, this.print, this.#fallback, this.#hint, this.#problem)
     this.picture.append(this.frame, this.controls)
     // The probe's colors have transitions, whose events report changes of custom properties and of the color scheme.
     // Browsers report these changes in no other way.

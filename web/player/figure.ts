@@ -151,7 +151,7 @@ export class Figure<Actions extends FigureActions = FigureActions> {
   }
 
   /** Whether an error has been reported through `onproblem`. */
-  isTold(error: Error): boolean {
+  isReported(error: Error): boolean {
     return error === this.#refused
   }
 

@@ -240,7 +240,7 @@ class MethodPlayer implements Player {
       this.#isLoading = false
       this.#isPlaying = false
       this.#showsResult(true)
-      this.#problem = this.#words.told?.(error as Error) ?? (error as Error).message
+      this.#problem = this.#words.localized?.(error as Error) ?? (error as Error).message
       throw error
     } finally {
       if (run === this.#run) this.#draw()

@@ -180,5 +180,5 @@ export const ENGLISH_PLAYER = {
 
 export type PlayerWords = typeof ENGLISH_PLAYER & {
   /** Localizes the reason why nothing can be played. The messages of errors are English. */
-  told?(error: Error): string
+  localized?(error: Error): string
 }
