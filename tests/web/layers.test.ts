@@ -35,6 +35,7 @@ import { methodOutcome } from '../../web/view/painter/method-outcome.ts'
 import { type Layer, PaintContext } from '../../web/view/painter/paint-context.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
+import { finished } from '../../web/view/painter/scheduler.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
@@ -502,7 +503,7 @@ describe('what depends on all circles', () => {
       const point = () => ({ x: 30 * random() - 5, y: 30 * random() - 5 })
       const [from, to] = [point(), point()]
       picture.layers = { ...DEFAULT_LAYERS, path: { from, to } }
-      const { path } = found(picture, 1e-4)
+      const { path } = finished(found(picture, 1e-4))
       const { clearance, outline } = path as NonNullable<typeof path>
       expect([...outline.slice(0, 3)]).toEqual([0, from.x, from.y])
       expect([...outline.slice(-3)]).toEqual([1, to.x, to.y])
@@ -516,10 +517,10 @@ describe('what depends on all circles', () => {
 
   it('is nothing where nothing is asked for, and of no circles', () => {
     const picture = new Picture(library.edit([]))
-    expect(found(picture, 1)).toEqual({ hull: undefined, largestDisc: undefined, path: undefined })
+    expect(finished(found(picture, 1))).toEqual({ hull: undefined, largestDisc: undefined, path: undefined })
     const ask = { hull: true, largestDisc: true, path: { from: { x: 0, y: 0 }, to: { x: 1, y: 1 } } }
     picture.layers = { ...DEFAULT_LAYERS, ...ask }
-    expect(found(picture, 1)).toEqual({ hull: new Float64Array(), largestDisc: undefined, path: undefined })
+    expect(finished(found(picture, 1))).toEqual({ hull: new Float64Array(), largestDisc: undefined, path: undefined })
   })
 })
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two scenes of one painting thread that breaks down at random: every request ends, and afterwards each scene has the
-// diagram of its circles.
+// Two scenes of one painting thread that gets wrong requests and breaks down at random: every request ends, and afterwards
+// each scene has the diagram of its circles.
 // @vitest-environment happy-dom
 import fc from 'fast-check'
-import { afterAll, beforeEach, expect, it, vi } from 'vitest'
+import { afterAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
+import type { ToThread } from '../../web/lib/threads/channel.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Painter } from '../../web/view/painter.ts'
-import type { Facts, FromPainter, InProgress, ToPainter } from '../../web/view/protocol.ts'
+import type { Facts, PainterRequests } from '../../web/view/protocol.ts'
 import { Failure, Superseded } from '../../web/view/refusal.ts'
-import type { Lost, PictureEvents, SceneClient } from '../../web/view/scene-client.ts'
+import type { PictureEvents, SceneClient } from '../../web/view/scene-client.ts'
 import { styleOf } from '../../web/view/style.ts'
 import { action as actionOf, editOf } from './arbitrary-circles.ts'
 import { Canvas, Path } from './page-canvas.ts'
@@ -37,16 +38,20 @@ const circle = fc.record({
 })
 const id = fc.nat(9)
 const edit = editOf(circle)
-const WORK = [
-  'open',
-  'edit',
-  'look',
-  'mark',
-  'layers',
-  'ask',
-  'paint',
-  'find',
-] as const satisfies readonly InProgress['kind'][]
+/** Wrong requests that make the thread throw a `TypeError`. */
+const NOTHING = undefined as never
+const BIG = 1n as never
+const WRONG = {
+  open: (one: SceneClient) => one.open(NOTHING),
+  // The editor makes the edit before the error.
+  edit: (one: SceneClient) => one.edit([{ kind: 'insert', circle: [3, 9, 1] }], { colors: null as never }),
+  room: (one: SceneClient) => one.ask('room', [BIG, BIG]),
+  touch: (one: SceneClient) => one.ask('touch', [BIG, BIG, 0]),
+  try: (one: SceneClient) => one.ask('try', [NOTHING]),
+  tabulate: (one: SceneClient) => one.ask('tabulate', [NOTHING, undefined]),
+  tell: (one: SceneClient) => one.ask('tell', [NOTHING]),
+}
+const wrongRequests = Object.keys(WRONG) as (keyof typeof WRONG)[]
 const scene = fc.nat(1)
 const action = fc.oneof(
   actionOf('open', { scene, circles: fc.array(circle, { maxLength: 8 }), domain: fc.nat(2) }),
@@ -56,10 +61,17 @@ const action = fc.oneof(
   actionOf('mark', { scene, id }),
   actionOf('ask', { scene }),
   actionOf('cancel', { scene }),
-  actionOf('break', { scene, during: fc.option(fc.constantFrom(...WORK), { nil: undefined }) }),
+  actionOf('break', { scene }),
+  actionOf('fail', { scene, request: fc.constantFrom(...wrongRequests) }),
   actionOf('wait', { scene }),
 )
 type Action = typeof action extends fc.Arbitrary<infer Value> ? Value : never
+
+/** Crashes the painting thread. */
+function crash(): void {
+  const [thread] = ThreadHere.running
+  thread?.onerror?.({ message: 'it broke' })
+}
 
 /** Waits until no message is under way. */
 async function quiet(): Promise<void> {
@@ -84,23 +96,15 @@ function doIt(one: SceneClient, action: Action): Promise<unknown> | undefined {
       one.mark(action.id, undefined)
       return
     case 'ask':
-      return one.ask('tell', [0, 1])
+      return one.ask('tell', [[0, 1]])
     case 'cancel':
       one.cancel()
       return
-    case 'break': {
-      const [thread] = ThreadHere.running
-      if (action.during === undefined) thread?.onerror?.({ message: 'it broke' })
-      else {
-        const failed: FromPainter = {
-          kind: 'failed',
-          message: 'it broke',
-          during: { scene: action.scene + 1, kind: action.during },
-        }
-        thread?.onmessage?.({ data: failed })
-      }
+    case 'break':
+      crash()
       return
-    }
+    case 'fail':
+      return WRONG[action.request](one)
     case 'wait':
       return quiet()
   }
@@ -146,14 +150,15 @@ async function play(script: readonly Action[]): Promise<void> {
       const isKnown = [CircleVoronoiError, Superseded, Failure].some((kind) => result.reason instanceof kind)
       expect(isKnown, String(result.reason)).toBe(true)
     }
-    expect(failures.every((failure) => failure instanceof Failure)).toBe(true)
+    const isTold = (failure: unknown) => failure instanceof Failure || failure instanceof CircleVoronoiError
+    expect(failures.every(isTold)).toBe(true)
     expect(ThreadHere.running.size).toBe(1)
     for (const [k, one] of scenes.entries()) {
       const { circles } = one
       const fresh = painter.add(listener(failures))
       await fresh.open(circles.circles(), DOMAINS[domains[k] as number], circles.keptIds)
       const ids = [...circles.ids()]
-      expect(factsOf(await one.ask('tell', ids))).toEqual(factsOf(await fresh.ask('tell', ids)))
+      expect(factsOf(await one.ask('tell', [ids]))).toEqual(factsOf(await fresh.ask('tell', [ids])))
       const inserted = await Promise.all(
         [one, fresh].map((each) => each.edit([{ kind: 'insert', circle: [1, 30, 1] }])),
       )
@@ -174,69 +179,139 @@ it('whatever breaks down, every request ends, and each scene has the diagram of 
   )
 }, 300_000)
 
-/** The kind of message at which each thread breaks down. */
-let breaksAt: ToPainter['kind'] | undefined
+/** The request at which each thread crashes. */
+let crashesAt: keyof PainterRequests | undefined
 let started = 0
-class BreakingThread extends ThreadHere {
+class CrashingThread extends ThreadHere {
   constructor(url: URL) {
     super(url)
     started += 1
   }
-  override postMessage(data: ToPainter) {
-    const failed = { kind: 'failed', message: 'it broke', during: { scene: 1, kind: data.kind } }
-    if (data.kind === breaksAt) setImmediate(() => this.onmessage?.({ data: failed }))
+  override postMessage(data: ToThread) {
+    if ('name' in data && data.name === crashesAt) setImmediate(() => this.onerror?.({ message: 'it broke' }))
     else super.postMessage(data)
   }
 }
 const STYLE = styleOf(new Proxy({}, { get: () => 'red' }))
 const BOX = { left: 0, top: 0, width: 256, height: 256 }
-const look = { paintId: 1, grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }, seen: BOX, wanted: BOX }
+const request = { paintId: 1, grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }, seen: BOX, wanted: BOX }
 const layers = { ...DEFAULT_LAYERS, hull: true }
 const TWO = Float64Array.of(0, 0, 1, 9, 0, 1)
+const FRAME = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
 
-it.each<[string, (scene: SceneClient) => unknown, number, Lost]>([
-  ['layers', (scene) => scene.setLayers(layers), 2, { marks: false, layers: true }],
-  ['mark', (scene) => scene.mark(1, undefined), 2, { marks: true, layers: false }],
-  ['look', (scene) => scene.look(look, STYLE), 3, { marks: true, layers: true }],
-  ['open', (scene) => scene.open(TWO).catch(() => {}), 3, { marks: true, layers: true }],
-  ['ask', (scene) => scene.ask('tell', [0]), 2, { marks: false, layers: false }],
-])(
-  'a thread that breaks down at each %s is replaced by one without it, or by none until the next edit',
-  async (kind, act, count, lost) => {
-    vi.stubGlobal('Worker', BreakingThread)
-    breaksAt = undefined
+describe('an error in a request', () => {
+  const requests = {
+    ...WRONG,
+    look: (one: SceneClient) => one.look(NOTHING, NOTHING),
+    layers: (one: SceneClient) => one.setLayers(NOTHING),
+    trace: (one: SceneClient) => one.ask('trace', [null as never]),
+  }
+  it.each(Object.entries(requests))('to %s is the answer to it alone', async (name, act) => {
+    vi.stubGlobal('Worker', CrashingThread)
+    crashesAt = undefined
     started = 0
-    const told: Lost[] = []
+    const failures: unknown[] = []
     const painter = new Painter()
-    const scene = painter.add({ ...listener([]), failed: (_, lost) => told.push(lost) })
-    await scene.open(TWO)
-    scene.setLayers(layers)
-    scene.look(look, STYLE)
-    scene.mark(0, undefined)
+    const [one, other] = [painter.add(listener(failures)), painter.add(listener([]))]
+    await Promise.all([one.open(TWO), other.open(TWO)])
+    const answer = await Promise.resolve(act(one)).catch((error) => error)
     await quiet()
-    breaksAt = kind as ToPainter['kind']
-    act(scene)
-    await quiet()
-    expect([started, told.at(-1)]).toEqual([count, lost])
-    breaksAt = undefined
-    expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([2])
-    const drawn = await scene.ask('svg', { x: 0, y: 0, scale: 1, width: 100, height: 100 }, STYLE, [])
-    expect([drawn?.elements, drawn?.found.hull !== undefined]).toEqual([expect.stringContaining('<'), !lost.layers])
+    const isChange = name === 'open' || name === 'edit'
+    const unexpected = expect.objectContaining({ code: 'internal' })
+    expect([answer, failures[0]]).toEqual(isChange ? [unexpected, undefined] : [undefined, unexpected])
+    // Views refuse wrong layers, with which nothing could be drawn.
+    for (const scene of name === 'layers' ? [other] : [one, other]) {
+      const { inserted } = await scene.edit([{ kind: 'insert', circle: [4, 7, 1] }])
+      expect([...inserted]).toEqual([2])
+      expect((await scene.ask('tell', [[2]]))?.cells.get(2)).toMatchObject({ x: 4, y: 7, r: 1 })
+    }
+    expect(started).toBe(name === 'trace' ? 2 : 1)
     painter.dispose()
     vi.stubGlobal('Worker', ThreadHere)
-  },
-)
+  })
+})
 
-it.each([
-  ['cannot start', () => {}],
-  ['breaks down at its start', BreakingThread],
-])('where a thread %s the opening alone says so, and the next one tries again', async (_, Thread) => {
-  breaksAt = 'start'
-  vi.stubGlobal('Worker', Thread)
-  const failures: unknown[] = []
-  const scene = new Painter().add(listener(failures))
-  await expect(scene.open(TWO)).rejects.toThrow(Failure)
-  expect(failures).toEqual([])
-  vi.stubGlobal('Worker', ThreadHere)
-  expect((await scene.open(TWO)).counts.circles).toBe(2)
+describe('a thread that crashes', () => {
+  async function begin() {
+    vi.stubGlobal('Worker', CrashingThread)
+    crashesAt = undefined
+    started = 0
+    const told: Error[] = []
+    const marked: (number | undefined)[] = []
+    const painter = new Painter()
+    const scene = painter.add({
+      ...listener([]),
+      marked: ({ selected }) => marked.push(selected?.id),
+      failed: (failure) => told.push(failure),
+    })
+    await scene.open(TWO)
+    scene.setLayers(layers)
+    scene.look(request, STYLE)
+    scene.mark(1, undefined)
+    await quiet()
+    return { painter, scene, told, marked }
+  }
+
+  it('is replaced by one with the circles, the viewport, the layers and the highlights', async () => {
+    const { painter, scene, told, marked } = await begin()
+    crashesAt = 'tell'
+    expect(await scene.ask('tell', [[0]])).toBeUndefined()
+    expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([2])
+    expect([started, told.length, marked]).toEqual([2, 1, [1, 1, 1]])
+    const drawn = await scene.ask('svg', [FRAME, STYLE, []])
+    expect(drawn).toMatchObject({ elements: expect.stringContaining('<'), found: { hull: expect.anything() } })
+    painter.dispose()
+    vi.stubGlobal('Worker', ThreadHere)
+  })
+
+  it.each(['open', 'layers', 'look', 'mark'] as const)(
+    'twice at %s is replaced once, and again at the next edit',
+    async (name) => {
+      const { painter, scene, told } = await begin()
+      crashesAt = name
+      if (name === 'open') scene.open(TWO).catch(() => {})
+      if (name === 'layers') scene.setLayers(layers)
+      if (name === 'look') scene.look(request, STYLE)
+      if (name === 'mark') scene.mark(0, undefined)
+      await quiet()
+      expect([started, told.length, ThreadHere.running.size]).toEqual([2, 2, 0])
+      expect(told.every((failure) => failure instanceof Failure)).toBe(true)
+      crashesAt = undefined
+      expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([2])
+      expect(started).toBe(3)
+      painter.dispose()
+      vi.stubGlobal('Worker', ThreadHere)
+    },
+  )
+
+  it.each([
+    ['cannot start', () => {}],
+    ['crashes at its start', CrashingThread],
+  ])('where it %s the opening alone says so, and the next one tries again', async (_, Thread) => {
+    crashesAt = 'start'
+    vi.stubGlobal('Worker', Thread)
+    const failures: unknown[] = []
+    const scene = new Painter().add(listener(failures))
+    await expect(scene.open(TWO)).rejects.toThrow(Failure)
+    expect(failures).toEqual([])
+    vi.stubGlobal('Worker', ThreadHere)
+    expect((await scene.open(TWO)).counts.circles).toBe(2)
+  })
+})
+
+it('a long computation is canceled, and another one goes on', async () => {
+  const painter = new Painter()
+  const scene = painter.add(listener([]))
+  const many = Float64Array.from({ length: 1500 }, (_, k) => (k % 3 === 2 ? 0.1 : ((k * 7919) % 997) / 9))
+  await scene.open(many)
+  const canceled = new AbortController()
+  const first = scene.ask('compute', [{ method: 'touching-disc', candidates: 'all-pairs' }], canceled.signal)
+  const second = scene.ask('compute', [{}])
+  canceled.abort()
+  expect(await first).toBeUndefined()
+  expect(await second).toMatchObject({ certificate: { certified: true } })
+  await scene.edit([{ kind: 'remove', id: 0 }])
+  painter.dispose()
+  await quiet()
+  expect(ThreadHere.running.size).toBe(0)
 })

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The answers of the painting thread without a browser. Its canvases have no pixels.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import type { FromThread, ToThread } from '../../web/lib/threads/channel.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { answerViews } from '../../web/view/painter/painter-thread.ts'
-import type { DrawnSvg, FromPainter, PaintRequest, ToPainter } from '../../web/view/protocol.ts'
+import type {
+  ComputingRequests,
+  DrawnSvg,
+  EditedPicture,
+  Highlights,
+  PainterEvents,
+  PainterRequests,
+  PaintRequest,
+} from '../../web/view/protocol.ts'
 import { SHADES, type Style } from '../../web/view/style.ts'
 import { Path } from './page-canvas.ts'
 
@@ -30,18 +39,36 @@ class FakeCanvas {
   }
 }
 
-const said: FromPainter[] = []
-const send = (message: ToPainter) => (globalThis as unknown as Worker).onmessage?.({ data: message } as MessageEvent)
-const saidOf = <Kind extends FromPainter['kind']>(kind: Kind) =>
-  said.filter((message) => message.kind === kind) as Extract<FromPainter, { kind: Kind }>[]
+type Requests = PainterRequests & ComputingRequests
+const said: FromThread[] = []
+/** The events of the thread about one scene. */
+const eventsOf = <Name extends keyof PainterEvents>(name: Name, scene: number) =>
+  said.flatMap((message) => {
+    if (!('event' in message) || message.event !== name) return []
+    const data = message.data as PainterEvents[Name]
+    return data.scene === scene ? [data] : []
+  })
 let lastRequest = 0
-const nextRequest = () => ++lastRequest
-/** Waits until everything sent has been answered. */
-const heard = async (scene: number) => {
-  const request = nextRequest()
-  send({ kind: 'ask', scene, request, name: 'touch', args: [0, 0, 1] })
-  await vi.waitFor(() => expect(saidOf('answer').some((hit) => hit.request === request)).toBe(true), SOON)
+/** Sends a request, and returns its number. */
+function send<Name extends keyof Requests>(name: Name, ...args: Parameters<Requests[Name]>): number {
+  lastRequest += 1
+  const request: ToThread = { id: lastRequest, name, args, tellsProgress: false }
+  ;(globalThis as unknown as Worker).onmessage?.({ data: request } as MessageEvent)
+  return lastRequest
 }
+const answerOf = (id: number) =>
+  said.find((message) => 'id' in message && message.id === id) as { value?: unknown; error?: unknown } | undefined
+/** Sends a request, and waits for its value or its error. */
+async function ask<Name extends keyof Requests>(name: Name, ...args: Parameters<Requests[Name]>) {
+  const id = send(name, ...args)
+  await vi.waitFor(() => expect(answerOf(id)).toBeDefined(), SOON)
+  const { value, error } = answerOf(id) as { value?: unknown; error?: unknown }
+  return error === undefined ? { value } : { error }
+}
+const answer = async <Name extends keyof Requests>(name: Name, ...args: Parameters<Requests[Name]>) =>
+  (await ask(name, ...args)).value
+/** Waits until everything sent has been answered. */
+const heard = (scene: number) => ask('touch', scene, 0, 0, 1)
 
 /** A paint request for a square of tiles. */
 function requestOf(paintId: number, id: number, scale: number, tiles: number): PaintRequest {
@@ -50,28 +77,25 @@ function requestOf(paintId: number, id: number, scale: number, tiles: number): P
   return { paintId, grid: { id, x: 0, y: 0, scale, pixelRatio: 1 }, seen: box, wanted: box }
 }
 
-vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))
+vi.stubGlobal('postMessage', (message: FromThread) => said.push(message))
 answerViews()
-send({ kind: 'start', module: await compileCircleVoronoi({}), others: {} })
+send('start', await compileCircleVoronoi({}), {})
 
 beforeEach(() => {
-  vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))
+  vi.stubGlobal('postMessage', (message: FromThread) => said.push(message))
   vi.stubGlobal('OffscreenCanvas', FakeCanvas)
   vi.stubGlobal('Path2D', Path)
   said.length = 0
 })
-afterEach(() => {
-  expect(saidOf('failed')).toEqual([])
-  vi.unstubAllGlobals()
-})
+afterEach(() => vi.unstubAllGlobals())
 
 const colors = Array.from({ length: SHADES }, () => 'white')
 const style = new Proxy({}, { get: (_, name) => (name === 'ramp' || name === 'map' ? colors : 'black') }) as Style
 
 /** Adds a scene and opens circles in it. */
 async function openScene(scene: number): Promise<void> {
-  send({ kind: 'add', scene })
-  send({ kind: 'open', scene, revision: 1, opening: 1, circles: CIRCLES })
+  send('add', scene)
+  send('open', scene, 1, CIRCLES, undefined, {})
   await heard(scene)
 }
 
@@ -79,20 +103,20 @@ it('what is found is told once, also where the rest after circles were opened is
   await openScene(7)
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
   try {
-    const found = () => saidOf('found').filter(({ scene }) => scene === 7)
-    send({ kind: 'open', scene: 7, revision: 2, opening: 2, circles: CIRCLES })
-    send({ kind: 'layers', scene: 7, layers: { ...DEFAULT_LAYERS, hull: true }, isPainted: true })
+    const found = () => eventsOf('found', 7)
+    send('open', 7, 2, CIRCLES, undefined, {})
+    send('layers', 7, { ...DEFAULT_LAYERS, hull: true }, true)
     // The module for the method is loaded first.
     await vi.waitFor(() => expect(found()).toHaveLength(1), SOON)
     await vi.advanceTimersByTimeAsync(10_000)
     expect(found()).toHaveLength(1)
     // Opens other circles, whose results follow after a pause.
-    send({ kind: 'open', scene: 7, revision: 3, opening: 3, circles: CIRCLES.slice(3) })
+    send('open', 7, 3, CIRCLES.slice(3), undefined, {})
     await vi.advanceTimersByTimeAsync(0)
     expect(found()).toHaveLength(1)
     await vi.advanceTimersByTimeAsync(10_000)
     expect(found()).toHaveLength(2)
-    send({ kind: 'close', scene: 7 })
+    send('close', 7)
   } finally {
     vi.useRealTimers()
   }
@@ -101,206 +125,182 @@ it('what is found is told once, also where the rest after circles were opened is
 describe('what stands out', () => {
   it('has other outlines where another box, or another scale, is looked at', async () => {
     await openScene(1)
-    send({ kind: 'look', scene: 1, style, ...requestOf(1, 1, 10, 1) })
-    send({ kind: 'mark', scene: 1, selected: 0, hovered: undefined })
-    await heard(1)
-    const [first] = saidOf('marked')
+    send('look', 1, requestOf(1, 1, 10, 1), style)
+    const first = (await answer('mark', 1, 0, undefined)) as Highlights
+    const outlined = () => eventsOf('outlined', 1)
     // Requests the same pixels again, for other layers.
-    send({ kind: 'look', scene: 1, style, ...requestOf(2, 1, 10, 1) })
+    send('look', 1, requestOf(2, 1, 10, 1), style)
     await heard(1)
-    expect(saidOf('outlined')).toEqual([])
-    send({ kind: 'look', scene: 1, style, ...requestOf(3, 1, 10, 3) })
-    send({ kind: 'look', scene: 1, style, ...requestOf(4, 2, 2, 1) })
+    expect(outlined()).toEqual([])
+    send('look', 1, requestOf(3, 1, 10, 3), style)
+    send('look', 1, requestOf(4, 2, 2, 1), style)
     await heard(1)
-    const told = [first, ...saidOf('outlined')]
-    const reach = told.map((message) => Math.max(...(message?.marks.selected?.outline ?? [])))
+    const told = [first, ...outlined().map(({ marks }) => marks)]
+    const reach = told.map((marks) => Math.max(...(marks.selected?.outline ?? [])))
     expect(reach).toHaveLength(3)
     expect(reach[1]).toBeGreaterThan(reach[0] as number)
     expect(reach[2]).toBeGreaterThan(reach[1] as number)
-    send({ kind: 'mark', scene: 1, selected: undefined, hovered: undefined })
-    send({ kind: 'look', scene: 1, style, ...requestOf(5, 3, 1, 1) })
+    send('mark', 1, undefined, undefined)
+    send('look', 1, requestOf(5, 3, 1, 1), style)
     await heard(1)
-    expect([saidOf('marked').length, saidOf('outlined').length]).toEqual([2, 2])
-    send({ kind: 'close', scene: 1 })
+    expect(outlined()).toHaveLength(2)
+    send('close', 1)
   })
 
   it('is as fine as the scale that is looked at: the clearest path, too', async () => {
     await openScene(2)
-    send({ kind: 'look', scene: 2, style, ...requestOf(1, 1, 1, 1) })
+    send('look', 2, requestOf(1, 1, 1, 1), style)
     const path = { from: { x: -5, y: 8 }, to: { x: 12, y: 8 } }
-    send({ kind: 'layers', scene: 2, layers: { ...DEFAULT_LAYERS, path }, isPainted: true })
-    const pieces = () => saidOf('found').map(({ found }) => found.path?.outline.length ?? 0)
+    send('layers', 2, { ...DEFAULT_LAYERS, path }, true)
+    const pieces = () => eventsOf('found', 2).map(({ found }) => found.path?.outline.length ?? 0)
     await vi.waitFor(() => expect(pieces()).toHaveLength(1), SOON)
-    send({ kind: 'look', scene: 2, style, ...requestOf(2, 2, 1e5, 1) })
+    send('look', 2, requestOf(2, 2, 1e5, 1), style)
     await vi.waitFor(() => expect(pieces()).toHaveLength(2), SOON)
     expect(pieces()[1]).toBeGreaterThan(pieces()[0] as number)
-    send({ kind: 'close', scene: 2 })
+    send('close', 2)
   })
 })
 
 it('edits for other circles than those of the scene change nothing, and those that come after them are done', async () => {
   await openScene(6)
-  const edit = (revision: number, opening: number) =>
-    send({ kind: 'edit', scene: 6, revision, opening, edits: [{ kind: 'remove', id: 2 }] })
-  send({ kind: 'open', scene: 6, revision: 2, opening: 2, circles: CIRCLES })
-  edit(3, 1)
-  edit(4, 2)
-  await heard(6)
-  expect(saidOf('superseded')).toEqual([{ kind: 'superseded', scene: 6, revision: 3 }])
-  expect(saidOf('edited').map(({ revision, counts }) => [revision, counts.circles])).toEqual([[4, 2]])
-  send({ kind: 'close', scene: 6 })
-})
-
-it('says what it was doing when it failed, and for which scene', async () => {
-  await openScene(8)
-  const broken = new Proxy({} as Style, {
-    get: () => {
-      throw new RangeError('It broke.')
-    },
-  })
-  send({ kind: 'look', scene: 8, style: broken, ...requestOf(1, 1, 10, 1) })
-  await vi.waitFor(() => expect(saidOf('failed')).toHaveLength(1), SOON)
-  const message = expect.stringContaining('It broke')
-  expect(saidOf('failed')).toEqual([{ kind: 'failed', message, during: { scene: 8, kind: 'paint' } }])
-  said.length = 0
-  send({ kind: 'close', scene: 8 })
+  const edit = (opening: number) => ask('edit', 6, opening, [{ kind: 'remove', id: 2 }], {})
+  send('open', 6, 2, CIRCLES, undefined, {})
+  expect(await edit(1)).toEqual({ value: undefined })
+  expect(await edit(2)).toMatchObject({ value: { counts: { circles: 2 } } })
+  send('close', 6)
 })
 
 it('an SVG has the power diagram and what depends on all circles, however soon it is asked for', async () => {
   await openScene(5)
-  send({ kind: 'layers', scene: 5, layers: { ...DEFAULT_LAYERS, hull: true, power: true }, isPainted: true })
-  const before = saidOf('answer').length
+  send('layers', 5, { ...DEFAULT_LAYERS, hull: true, power: true }, true)
   const frame = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
   const told = new Proxy(style, { get: (style, name) => (name === 'power' ? 'power' : Reflect.get(style, name)) })
-  send({ kind: 'ask', scene: 5, request: nextRequest(), name: 'svg', args: [frame, told, []] })
-  await heard(5)
-  const { elements, found } = saidOf('answer').map(({ value }) => value)[before] as DrawnSvg
+  const { elements, found } = (await answer('svg', 5, frame, told, [])) as DrawnSvg
   expect(elements).toContain('stroke="power"')
   expect(found.hull?.length).toBeGreaterThan(0)
-  send({ kind: 'close', scene: 5 })
+  send('close', 5)
 })
 
 describe('questions', () => {
-  /** The answer of the thread to a question. */
-  const ask = async (scene: number, name: Extract<ToPainter, { kind: 'ask' }>['name'], ...args: unknown[]) => {
-    const request = nextRequest()
-    send({ kind: 'ask', scene, request, name, args } as unknown as ToPainter)
-    const answered = () => saidOf('answer').find((answer) => answer.request === request)
-    await vi.waitFor(() => expect(answered()).toBeDefined(), SOON)
-    const { kind: _, request: __, ...answer } = answered() as Extract<FromPainter, { kind: 'answer' }>
-    return answer as { value?: unknown; error?: unknown }
-  }
-  const answerTo = async (...question: Parameters<typeof ask>) => (await ask(...question)).value
-
   it('are answered about the circles of their scene, also where an edit has changed them', async () => {
     await openScene(11)
-    send({ kind: 'edit', scene: 11, revision: 2, opening: 1, edits: [{ kind: 'remove', id: 1 }] })
-    const trace = (await answerTo(11, 'trace', {})) as { circles: Float64Array; ids: Int32Array }
-    expect([[...trace.ids], [...trace.circles]]).toEqual([
-      [0, 2],
-      [0, 0, 1, 4, 9, 3],
-    ])
-    const edits = [
-      { kind: 'insert', circle: [9, 9, 1] },
-      { kind: 'remove', id: 2 },
-    ]
-    expect(await ask(11, 'trace', { edits })).toMatchObject({ value: { ids: Int32Array.of(0, 2) } })
-    expect(await ask(11, 'trace', { edits: [{ kind: 'remove', id: 1 }] })).toMatchObject({
-      error: { code: 'unknownCircle', circle: 1 },
-    })
-    const computed = (await answerTo(11, 'compute', { method: 'flip' })) as object
-    expect(Object.keys(computed).sort()).toEqual(['certificate', 'stats'])
-    expect(await answerTo(11, 'compute', { method: 'magic' })).toEqual({
-      problem: expect.any(String),
-    })
-    expect(await answerTo(11, 'measure')).toMatchObject({
+    send('edit', 11, 1, [{ kind: 'remove', id: 1 }], {})
+    expect(await answer('measure', 11)).toMatchObject({
       degrees: Int32Array.of(0, 2),
       certificate: { certified: true },
     })
-    expect(await answerTo(11, 'tell', [0, 1])).toMatchObject({ circles: 2, edges: 1, vertices: 0 })
-    expect(await answerTo(11, 'legend')).toBeUndefined()
-    send({ kind: 'layers', scene: 11, layers: { ...DEFAULT_LAYERS, cells: 'radius' }, isPainted: true })
-    expect(await answerTo(11, 'legend')).toMatchObject({ measure: 'radius' })
-    expect(await answerTo(11, 'try', { x: 20, y: 0, r: 1 })).toMatchObject({ circle: { x: 20, y: 0, r: 1 } })
-    expect(await answerTo(11, 'try', { x: 20, y: 0, r: -1 })).toBeUndefined()
-    send({ kind: 'close', scene: 11 })
+    expect(await answer('tell', 11, [0, 1])).toMatchObject({ circles: 2, edges: 1, vertices: 0 })
+    expect(await answer('legend', 11)).toBeUndefined()
+    send('layers', 11, { ...DEFAULT_LAYERS, cells: 'radius' }, true)
+    expect(await answer('legend', 11)).toMatchObject({ measure: 'radius' })
+    expect(await answer('try', 11, { x: 20, y: 0, r: 1 })).toMatchObject({ circle: { x: 20, y: 0, r: 1 } })
+    expect(await answer('try', 11, { x: 20, y: 0, r: -1 })).toBeUndefined()
+    send('close', 11)
   })
 
-  it('about all cells are answered about the circles that were opened since, and not at all once their scene is closed', async () => {
+  it('about a method are answered with the ids of their circles, also about edits', async () => {
+    const circles = Float64Array.of(0, 0, 1, 4, 9, 3)
+    const ids = Int32Array.of(0, 2)
+    expect(await answer('trace', circles, ids, {})).toMatchObject({ circles, ids })
+    const inserted = [
+      { kind: 'insert', circle: [9, 9, 1] },
+      { kind: 'remove', id: 2 },
+    ] as const
+    expect(await answer('trace', circles, ids, { edits: inserted })).toMatchObject({ ids })
+    expect(await ask('trace', circles, ids, { edits: [{ kind: 'remove', id: 1 }] })).toMatchObject({
+      error: { code: 'unknownCircle', circle: 1 },
+    })
+    const computed = (await answer('compute', circles, ids, { method: 'flip' })) as object
+    expect(Object.keys(computed).sort()).toEqual(['certificate', 'stats'])
+    expect(await answer('compute', circles, ids, { method: 'magic' as 'flip' })).toEqual({
+      problem: expect.any(String),
+    })
+  })
+
+  it('about all cells are answered about the circles that were opened since, and not at all once they are canceled', async () => {
     const many = Float64Array.from({ length: 900 }, (_, k) => (k % 3 === 2 ? 0.1 : ((k * 7919) % 997) / 9))
     await openScene(12)
-    send({ kind: 'open', scene: 12, revision: 2, opening: 2, circles: many })
-    const [first, second] = [nextRequest(), nextRequest()]
-    const measure = (request: number) =>
-      send({ kind: 'ask', scene: 12, request, name: 'tabulate', args: [['area'], undefined] })
+    send('open', 12, 2, many, undefined, {})
     let now = performance.now()
     const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
       now += 5
       return now
     })
-    measure(first)
-    send({ kind: 'open', scene: 12, revision: 3, opening: 3, circles: CIRCLES })
-    const answer = (request: number) => saidOf('answer').find((hit) => hit.request === request)?.value
-    await vi.waitFor(() => expect(answer(first)).toMatchObject({ ids: Int32Array.of(0, 1, 2) }), SOON)
-    send({ kind: 'open', scene: 12, revision: 4, opening: 4, circles: many })
-    measure(second)
-    send({ kind: 'close', scene: 12 })
-    await openScene(13)
-    await ask(13, 'tabulate', ['area'], undefined)
-    expect(answer(second)).toBeUndefined()
+    const first = send('tabulate', 12, ['area'], undefined)
+    send('open', 12, 3, CIRCLES, undefined, {})
+    await vi.waitFor(() => expect(answerOf(first)?.value).toMatchObject({ ids: Int32Array.of(0, 1, 2) }), SOON)
+    send('open', 12, 4, many, undefined, {})
+    const second = send('tabulate', 12, ['area'], undefined)
+    const cancel: ToThread = { cancel: second }
+    await vi.waitFor(async () => {
+      ;(globalThis as unknown as Worker).onmessage?.({ data: cancel } as MessageEvent)
+      expect(answerOf(second)).toMatchObject({ error: { message: expect.stringContaining('abort') } })
+    }, SOON)
     clock.mockRestore()
-    send({ kind: 'close', scene: 13 })
+    send('close', 12)
   })
 })
 
 describe('one scene', () => {
   it('that cannot be drawn as it was asked for is answered with nothing, and all go on', async () => {
     await openScene(3)
-    const draw = (width: number, name: 'image' | 'svg') => {
-      const frame = { x: 0, y: 0, scale: 1, width, height: 100 }
-      const args = name === 'svg' ? [frame, style, []] : [frame, 1, style]
-      send({ kind: 'ask', scene: 3, request: nextRequest(), name, args })
-    }
-    draw(2 * LARGEST, 'image')
-    draw(Number.NaN, 'svg')
-    draw(100, 'image')
-    draw(100, 'svg')
-    const before = saidOf('answer').length
-    await heard(3)
-    expect(
-      saidOf('answer')
-        .slice(before, -1)
-        .map(({ value }) => value),
-    ).toEqual([
-      undefined,
-      undefined,
-      { width: 100 },
-      { elements: expect.stringContaining('<'), found: expect.anything() },
-    ])
-    send({ kind: 'close', scene: 3 })
+    const frame = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
+    expect(await ask('image', 3, { ...frame, width: 2 * LARGEST }, 1, style)).toEqual({ value: undefined })
+    expect(await ask('svg', 3, { ...frame, width: Number.NaN }, style, [])).toEqual({ value: undefined })
+    expect(await answer('image', 3, frame, 1, style)).toEqual({ width: 100 })
+    expect(await answer('svg', 3, frame, style, [])).toEqual({
+      elements: expect.stringContaining('<'),
+      found: expect.anything(),
+    })
+    send('close', 3)
+  })
+})
+
+describe('an error in painting', () => {
+  const broken = new Proxy({} as Style, {
+    get: () => {
+      throw new RangeError('It broke.')
+    },
+  })
+
+  it('is told to its scene, and the next request is painted', async () => {
+    await openScene(8)
+    send('look', 8, requestOf(1, 1, 10, 4), broken)
+    await vi.waitFor(() => expect(eventsOf('failed', 8)).toHaveLength(1), SOON)
+    expect(eventsOf('failed', 8)).toMatchObject([{ error: { message: expect.stringContaining('It broke') } }])
+    send('look', 8, requestOf(2, 1, 10, 4), style)
+    await vi.waitFor(() => expect(eventsOf('painted', 8).at(-1)).toMatchObject({ paintId: 2, isWhole: true }), SOON)
+    expect(eventsOf('painted', 8).flatMap(({ patches }) => patches)).toHaveLength(16)
+    expect(eventsOf('failed', 8)).toHaveLength(1)
+    send('close', 8)
+  })
+
+  it('refuses no edit', async () => {
+    await openScene(8)
+    send('look', 8, requestOf(1, 1, 10, 1), broken)
+    const edited = await ask('edit', 8, 1, [{ kind: 'remove', id: 1 }], {})
+    expect(edited).toMatchObject({ value: { counts: { circles: 2 }, patches: [] } })
+    expect(await answer('tell', 8, [0, 1])).toMatchObject({ circles: 2 })
+    send('close', 8)
   })
 })
 
 it('an edit paints what is visible as a whole, also right after another scale', async () => {
   await openScene(8)
-  const request = requestOf(1, 1, 40, 6)
   const wanted = { left: -1024, top: -1024, width: 2048, height: 2048 }
-  send({ kind: 'look', scene: 8, style, ...request, wanted })
-  send({
-    kind: 'edit',
-    scene: 8,
-    revision: 2,
-    opening: 1,
-    edits: [{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: 1 } }],
-  })
-  await heard(8)
-  const [edited] = saidOf('edited')
-  const before = said.slice(0, said.indexOf(edited as FromPainter))
-  const tiles = [...before, edited as FromPainter].flatMap((message) => ('patches' in message ? message.patches : []))
+  send('look', 8, { ...requestOf(1, 1, 40, 6), wanted }, style)
+  const edits = [{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: 1 } }] as const
+  const edited = (await answer('edit', 8, 1, edits, {})) as EditedPicture
+  const before = said.slice(
+    0,
+    said.findIndex((message) => 'value' in message && message.value === edited),
+  )
+  const painted = before.flatMap((message) => ('event' in message ? (message.data as PainterEvents['painted']) : []))
+  const tiles = [...painted, edited].flatMap(({ patches }) => patches ?? [])
   const isPainted = (x: number, y: number) =>
     tiles.some(({ box: { left, top, width, height } }) => x >= left && x < left + width && y >= top && y < top + height)
   for (let x = -768; x < 768; x += 64) for (let y = -768; y < 768; y += 64) expect(isPainted(x, y)).toBe(true)
-  send({ kind: 'close', scene: 8 })
+  send('close', 8)
 })
 
 it('all scenes are painted in the end, however short the slices of time are', async () => {
@@ -312,13 +312,35 @@ it('all scenes are painted in the end, however short the slices of time are', as
     now += 5
     return now
   })
-  for (const scene of scenes) send({ kind: 'look', scene, style, ...requestOf(1, 1, 40, 4) })
-  const wholes = () => saidOf('painted').filter(({ isWhole }) => isWhole)
-  await vi.waitFor(() => expect(wholes().map(({ scene }) => scene)).toEqual(scenes), SOON)
-  for (const painted of scenes) {
-    const tiles = saidOf('painted').flatMap(({ scene, patches }) => (scene === painted ? patches : []))
-    expect(tiles).toHaveLength(16)
+  for (const scene of scenes) send('look', scene, requestOf(1, 1, 40, 4), style)
+  await vi.waitFor(() => {
+    for (const scene of scenes) expect(eventsOf('painted', scene).at(-1)?.isWhole).toBe(true)
+  }, SOON)
+  for (const scene of scenes) {
+    expect(eventsOf('painted', scene).flatMap(({ patches }) => patches)).toHaveLength(16)
   }
   clock.mockRestore()
-  for (const scene of scenes) send({ kind: 'close', scene })
+  for (const scene of scenes) send('close', scene)
+})
+
+it('long work lets tiles and requests go first', async () => {
+  const many = Float64Array.from({ length: 3000 }, (_, k) => (k % 3 === 2 ? 0.1 : ((k * 7919) % 997) / 9))
+  await openScene(14)
+  send('open', 14, 2, many, undefined, {})
+  await heard(14)
+  let now = performance.now()
+  const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
+    now += 5
+    return now
+  })
+  const long = send('measure', 14)
+  send('look', 14, requestOf(1, 1, 40, 2), style)
+  const short = send('tell', 14, [0])
+  await vi.waitFor(() => expect(answerOf(long)).toBeDefined(), SOON)
+  const painted = said.findLastIndex((message) => 'event' in message && message.event === 'painted')
+  const [last, first] = [long, short].map((id) => said.indexOf(answerOf(id) as FromThread)) as [number, number]
+  expect(first).toBeLessThan(last)
+  expect(painted).toBeLessThan(last)
+  clock.mockRestore()
+  send('close', 14)
 })

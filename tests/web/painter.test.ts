@@ -4,8 +4,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
 import { toPlane, toScreen } from '../../web/view/camera.ts'
 import { Tiles } from '../../web/view/painter/tiles.ts'
-import { type Grid, type PaintRequest, type PixelBox, TILE } from '../../web/view/protocol.ts'
-import type { Painted } from '../../web/view/scene-client.ts'
+import { type Grid, type Painted, type PaintRequest, type PixelBox, TILE } from '../../web/view/protocol.ts'
 import type { Style } from '../../web/view/style.ts'
 import { MOST_ENLARGED, TileBuffer } from '../../web/view/tile-buffer.ts'
 import { action as actionOf } from './arbitrary-circles.ts'
@@ -195,7 +194,7 @@ describe('the base picture', () => {
               const edited: Partial<Painted> = { kind: 'edited', grid: grid.id, patches, boxes: [box] }
               picture.put(edited as Painted)
             } else {
-              picture.put({ kind: 'painted', scene: 1, grid: grid.id, patches, paintId, isWhole: action.isWhole })
+              picture.put({ kind: 'painted', grid: grid.id, patches, paintId, isWhole: action.isWhole })
               isWhole ||= action.isWhole && request === requests.at(-1)
             }
           }

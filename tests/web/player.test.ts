@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it, vi } from 'vitest'
 import { type Circle, Diagram, TRACE_KINDS, Trace, type TraceKind } from '../../web/lib/index.ts'
+import type { TraceOptions } from '../../web/lib/wasm/trace.ts'
 import { ringOf, testedAt, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
 import { arcOf, FinishedArcs } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
@@ -9,6 +10,7 @@ import { numberOf, sentenceOf } from '../../web/player/sentences.ts'
 import { circlesAt, overlayOf } from '../../web/player/step-overlay.ts'
 import { concerns, kindAt, kindOf, nextStep, programOf, type Step, stepsOf } from '../../web/player/steps.ts'
 import { columnsOf, drawTimeline } from '../../web/player/timeline.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import { MOST_PLAYED } from '../../web/view/layers.ts'
 import { traced } from '../../web/view/painter/traced.ts'
 import { library, seededRandom } from './library.ts'
@@ -487,7 +489,7 @@ describe('what is shown beside a step', () => {
 
 describe('a trace of circles that were edited', () => {
   const editor = library.edit(SMALL)
-  const diagram = editor.snapshot()
+  const table = new CircleTable(SMALL.slice())
   for (const edits of [
     [{ kind: 'remove', id: 1 }] as const,
     [
@@ -496,24 +498,19 @@ describe('a trace of circles that were edited', () => {
     ] as const,
     [{ kind: 'insert', circle: [15, 5, 0.5] }] as const,
   ]) {
-    diagram.apply(editor.apply(edits))
+    table.follow(editor.apply(edits))
   }
+  const trace = (options: TraceOptions = {}) => traced(library, table.circles(), table.ids(), options)
 
   it('names them by their ids', () => {
-    const { ids, circles, events, diagram: found } = traced(library, diagram, {})
-    expect([...ids]).toEqual([...ids].sort((a, b) => a - b))
-    expect(new Set(ids)).toEqual(new Set(diagram.numbers?.circles))
+    const { ids, circles, events, diagram } = trace()
     expect([...ids]).not.toEqual([...ids.keys()])
-    for (const [k, id] of ids.entries()) {
-      const i = diagram.indexOf(id)
-      expect([...circles.subarray(3 * k, 3 * k + 3)]).toEqual([...diagram.circles.subarray(3 * i, 3 * i + 3)])
-    }
     // At its contact points, a disc has its radius as the distance.
-    const trace = new Trace(new Diagram(found), events)
-    const byId = circlesAt(trace, circles, trace.at(0), ids)
+    const found = new Trace(new Diagram(diagram), events)
+    const byId = circlesAt(found, circles, found.at(0), ids)
     let discs = 0
-    for (let k = 0; k < trace.length; k++) {
-      const { kind, disc, circles: three } = trace.event(k)
+    for (let k = 0; k < found.length; k++) {
+      const { kind, disc, circles: three } = found.event(k)
       if (kind !== 'branchDisc' || disc === undefined) continue
       for (const id of three) {
         const { x, y, r } = byId.get(id) as Circle
@@ -525,14 +522,14 @@ describe('a trace of circles that were edited', () => {
   })
 
   it('takes edits of them', () => {
-    const { ids } = traced(library, diagram, {})
+    const { ids } = trace()
     const [second, last] = [ids[1], ids.at(-1)] as [number, number]
     const edits = [
       { kind: 'replace', id: second, circle: [1, 7, 1] },
       { kind: 'insert', circle: [0, 9, 0.2] },
       { kind: 'remove', id: last + 1 },
     ] as const
-    const { events } = traced(library, diagram, { edits })
+    const { events } = trace({ edits })
     const edited = Array.from(events.kinds, (kind, k) => [TRACE_KINDS[kind], events.circles[3 * k]] as const)
     expect(edited.filter(([kind]) => /^circle(Inserted|Removed|Replaced)$/.test(kind as string))).toEqual([
       ['circleReplaced', second],
@@ -540,15 +537,17 @@ describe('a trace of circles that were edited', () => {
       ['circleRemoved', last + 1],
     ])
     for (const id of [1, last + 1]) {
-      expect(() => traced(library, diagram, { edits: [{ kind: 'remove', id }] })).toThrow(
+      expect(() => trace({ edits: [{ kind: 'remove', id }] })).toThrow(
         expect.objectContaining({ code: 'unknownCircle' }),
       )
     }
   })
 
   it('is refused where there are too many', () => {
-    const many = library.edit(randomCircles(MOST_PLAYED + 1, 4)).snapshot()
-    expect(() => traced(library, many, {})).toThrow(expect.objectContaining({ code: 'tooManyCircles' }))
+    const many = new CircleTable(Float64Array.from(randomCircles(MOST_PLAYED + 1, 4)))
+    expect(() => traced(library, many.circles(), many.ids(), {})).toThrow(
+      expect.objectContaining({ code: 'tooManyCircles' }),
+    )
   })
 })
 

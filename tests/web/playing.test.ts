@@ -72,7 +72,7 @@ async function key(name: string, more: object = {}, target: Element = root()) {
 }
 /** The steps that the player plays. */
 function played() {
-  const given = traced(library, library.edit(SIX).snapshot(), {})
+  const given = traced(library, SIX, Int32Array.from(SIX.subarray(0, SIX.length / 3).keys()), {})
   const events = new Trace(new Diagram(given.diagram), given.events)
   return { given, events, steps: stepsOf(events) }
 }

@@ -97,7 +97,7 @@ export class CircleActions {
     const gesture = this.beginGesture()
     const { x, y, scale } = this.#figure.view.camera
     const usual = USUAL_RADIUS / scale
-    const room = await this.#figure.view.ask('room', x, y)
+    const room = await this.#figure.view.ask('room', [x, y])
     const circle = room === undefined ? { x, y, r: usual } : { ...room, r: Math.min(room.r, usual) }
     const ids = await this.add([circle], gesture)
     if (ids[0] !== undefined) this.#actions.camera.revealCircle(ids[0])

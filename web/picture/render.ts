@@ -19,7 +19,6 @@ import { type Step, stepsOf } from '../player/steps.ts'
 import { boundingBox } from '../view/camera.ts'
 import { boxOf, NO_DOMAIN } from '../view/domain.ts'
 import { layersFrom, type OverlayLayer, withoutDiagram } from '../view/layers.ts'
-import type { PaintedScene } from '../view/painter/painted-scene.ts'
 import { traced } from '../view/painter/traced.ts'
 import { createStore } from '../view/store.ts'
 import { svgPicture, titlesOf } from '../view/svg-picture.ts'
@@ -91,7 +90,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
     const box = boxOf(boundingBox(circles), domain)
     const frame = { ...cameraShowing(view, box, size, MARGIN), ...size }
     const style = themeStyle(scheme)
-    const played = step === undefined ? undefined : playedAt(scene, step, method, scheme)
+    const played = step === undefined ? undefined : playedAt(computer, step, method, scheme)
     const layers = played === undefined ? layersFrom(given) : withoutDiagram(layersFrom(given))
     scene.setLayers({ ...layers, ownColors: ownColorsOf(editing, isCssColor) })
     if (scene.isMethodMissing) scene.addMethod()
@@ -133,13 +132,18 @@ function hasData({ names, attributes }: LinkInput): boolean {
 
 /** Returns the overlay after a step; `undefined` for the last step, which shows the diagram. */
 function playedAt(
-  { library, picture }: PaintedScene,
+  { scene, circles: table }: SceneBackend,
   step: number,
   method: string | undefined,
   scheme: Scheme,
 ): readonly OverlayLayer[] | undefined {
   const known = METHODS.find((name) => name === method) ?? ('touching-disc' satisfies Method)
-  const { circles: given, ids, diagram, events } = traced(library, picture.diagram, { method: known })
+  const {
+    circles: given,
+    ids,
+    diagram,
+    events,
+  } = traced(scene.library, table.circles(), table.ids(), { method: known })
   const trace = new Trace(new Diagram(diagram), events)
   const steps = stepsOf(trace)
   if (step >= steps.length - 1) return undefined

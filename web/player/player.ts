@@ -213,7 +213,7 @@ class MethodPlayer implements Player {
     try {
       if (rest > 0) await new Promise((resolve) => setTimeout(resolve, rest))
       if (run !== this.#run) return
-      const traced = await this.#view.ask('trace', this.#options)
+      const traced = await this.#view.ask('trace', [this.#options])
       if (run !== this.#run) return
       if (traced === undefined) throw new Error(this.#words.notRun)
       const trace = new Trace(new Diagram(traced.diagram), traced.events)

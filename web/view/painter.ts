@@ -1,68 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { reasonOf } from '../lib/base/errors.ts'
+import { Channel, type Functions, type ThreadEvents } from '../lib/threads/channel.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
+import { webThread } from '../lib/threads/web-thread.ts'
 import { compileCircleVoronoi } from '../lib/wasm/load-options.ts'
+import { ComputingThreads } from './computing-threads.ts'
 import { type FigureLoadOptions, otherModules } from './load.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
-import type { FromPainter, InProgress, Questions, ToPainter } from './protocol.ts'
+import type { ComputingRequests, PainterEvents, PainterRequests } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
-import { RemoteCalls } from './remote-calls.ts'
 import {
   failureFor,
   isDisposedOf,
   type PictureEvents,
   type Reason,
   SceneClient,
-  type SceneThread,
+  type SceneThreads,
 } from './scene-client.ts'
 
-/** The state that a thread starts with: none, everything that its predecessor had, or only circles and viewport. */
-type Beginning = 'new' | 'restored' | 'bare'
-
 /**
- * The thread that computes and paints the diagrams of all views of a page. A failure of the thread itself, as opposed
- * to a refused request, is an `Error` that is not a `CircleVoronoiError`. Nothing has changed then, and a new thread
- * takes over: at once, or at the next opening or edit if the failed thread never worked.
- * A new thread receives the circles, the layers and the viewport, but not the work during which the former one failed,
- * because the work may fail again. If the new thread fails before it has done anything, its successor receives only the
- * circles and the viewport. If that one fails too, there is no other.
+ * The thread that computes and paints the diagrams of all views of a page. If it crashes, another one gets the state of
+ * each view, as in a new page. If that one crashes before it has done anything, the views are told, and the next
+ * opening or edit starts another one.
  */
 export class Painter {
   readonly #options: FigureLoadOptions
   readonly #scenes = new Map<number, SceneClient>()
-  readonly #questions = new RemoteCalls<Questions>()
-  #worker: Worker | undefined
-  /** Whether the thread has completed any request. */
+  #channel: Channel<PainterRequests, PainterEvents> | undefined
+  readonly #computing = new ComputingThreads(() => {
+    const fail = (reason: Reason) => channel.end(failureFor(reason))
+    const channel = this.#open<ComputingRequests, object>(fail, {})
+    return channel
+  })
+  /** Whether the thread has painted a picture or answered a view. */
   #hasWorked = false
-  #beginning: Beginning = 'new'
+  /** Whether the thread continues after a crash. */
+  #isRestarted = false
   #isDisposed = false
   #lastScene = 0
-  readonly #thread: SceneThread = {
-    questions: this.#questions,
-    isRunning: () => this.#worker !== undefined,
+  readonly #threads: SceneThreads = {
+    channel: () => this.#channel,
     begin: () => {
-      if (this.#worker === undefined && !this.#isDisposed) this.#start()
-      return !this.#isDisposed
+      if (this.#isDisposed) throw failureFor(isDisposedOf)
+      return this.#channel ?? this.#start(false)
     },
     restart: () => {
       // A result that the user canceled needs no reason.
-      this.#stop(new Superseded())
-      this.#start()
+      this.#end(new Superseded())
+      this.#start(false)
     },
-    post: (message) => this.#worker?.postMessage(message),
+    compute: (...request) => this.#computing.request(...request),
+    worked: () => {
+      this.#hasWorked = true
+    },
     remove: (scene) => this.#scenes.delete(scene),
   }
 
   constructor(options: FigureLoadOptions = {}) {
     this.#options = options
-    this.#start()
+    try {
+      this.#start(false)
+    } catch {
+      // The first opening tries again, and reports the error.
+    }
   }
 
   /** Adds a scene for another view. */
   add(events: PictureEvents): SceneClient {
     this.#lastScene += 1
-    const scene = new SceneClient(this.#lastScene, events, this.#thread)
+    const scene = new SceneClient(this.#lastScene, events, this.#threads)
     this.#scenes.set(this.#lastScene, scene)
     return scene
   }
@@ -70,59 +77,67 @@ export class Painter {
   /** Terminates the thread, and with it all views. */
   dispose(): void {
     this.#isDisposed = true
-    this.#stop(failureFor(isDisposedOf))
+    const failure = failureFor(isDisposedOf)
+    this.#end(failure)
+    for (const scene of this.#scenes.values()) scene.close()
+    this.#computing.dispose(failure)
   }
 
-  #start(beginning: Beginning = 'new'): void {
-    let worker: Worker
-    try {
-      worker = startModuleWorker(newWorker, threadFile, THREAD_NAME)
-    } catch (error) {
-      this.#stop(failureFor(() => reasonOf(error)))
-      return
-    }
-    this.#worker = worker
+  /** @throws Failure if threads cannot be started */
+  #start(isRestarted: boolean): Channel<PainterRequests, PainterEvents> {
+    const channel = this.#open<PainterRequests, PainterEvents>(
+      (reason) => {
+        if (this.#channel === channel) this.#fail(reason)
+      },
+      {
+        painted: ({ scene, ...painted }) => this.#scenes.get(scene)?.receivePainted(painted),
+        found: ({ scene, found }) => this.#scenes.get(scene)?.receiveFound(found),
+        outlined: ({ scene, marks }) => this.#scenes.get(scene)?.receiveOutlines(marks),
+        failed: ({ scene, error }) => this.#scenes.get(scene)?.receiveFailure(error),
+      },
+    )
+    this.#channel = channel
     this.#hasWorked = false
-    this.#beginning = beginning
-    const fail = (reason: Reason, during?: InProgress) => {
-      if (this.#worker === worker) this.#fail(reason, during)
-    }
-    worker.onmessage = ({ data }: MessageEvent<FromPainter>) => {
-      if (data.kind === 'failed') fail(() => data.message, data.during)
-      else if (this.#worker === worker) this.#receive(data)
-    }
-    worker.onerror = ({ message }) => fail((words) => message ?? words.noThread)
-    Promise.all([compileCircleVoronoi(this.#options), otherModules(this.#options)]).then(
-      ([module, others]) => worker.postMessage({ kind: 'start', module, others } satisfies ToPainter),
-      (error: Error) => fail(() => reasonOf(error)),
-    )
+    this.#isRestarted = isRestarted
     for (const scene of this.#scenes.values()) scene.restore()
+    return channel
   }
 
-  #receive(message: Exclude<FromPainter, { kind: 'failed' }>): void {
-    if (message.kind === 'answer') {
-      this.#hasWorked = true
-      this.#questions.receive(message)
-    } else if (this.#scenes.get(message.scene)?.receive(message)) this.#hasWorked = true
+  /**
+   * Opens a channel to a new thread. `onFailure` is called if the thread crashes or cannot be loaded.
+   * @throws Failure if threads cannot be started
+   */
+  #open<Requests extends Functions<Requests> & Pick<PainterRequests, 'start'>, Events extends object>(
+    onFailure: (reason: Reason) => void,
+    onEvent: { readonly [Name in keyof Events]: (data: Events[Name]) => void },
+  ): Channel<Requests, Events> {
+    const start = (events: ThreadEvents) => webThread(startModuleWorker(newWorker, threadFile, THREAD_NAME), events)
+    try {
+      const crash = (cause: unknown) => onFailure((words) => (cause === undefined ? words.noThread : reasonOf(cause)))
+      const channel = new Channel<Requests, Events>(start, crash, onEvent)
+      Promise.all([compileCircleVoronoi(this.#options), otherModules(this.#options)])
+        .then((modules) => channel.request('start', modules as Parameters<Requests['start']>))
+        .catch((error) => onFailure(() => reasonOf(error)))
+      return channel
+    } catch (error) {
+      throw failureFor(() => reasonOf(error))
+    }
   }
 
-  #fail(reason: Reason, during?: InProgress): void {
-    const next = this.#hasWorked ? 'restored' : this.#beginning === 'restored' ? 'bare' : undefined
-    const isFirst = !this.#hasWorked && this.#beginning === 'new'
-    this.#stop(failureFor(reason))
-    // The callers of the rejected requests report the failure.
-    if (isFirst) return
-    const lost = [...this.#scenes.values()].map(
-      (scene) => [scene, scene.forgetCause(during, next !== 'restored')] as const,
-    )
-    if (next !== undefined) this.#start(next)
-    const failure = new Failure((words) => words[next ? 'drawingFailed' : 'drawingEnded'](reason(words)))
-    for (const [scene, what] of lost) scene.fail(failure, what)
+  #fail(reason: Reason): void {
+    const isAgain = this.#hasWorked
+    // The callers of the rejected requests report a failure at the first start.
+    const isTold = isAgain || this.#isRestarted
+    this.#end(failureFor(reason))
+    if (isAgain) this.#start(true)
+    if (!isTold) return
+    const failure = new Failure((words) => words[isAgain ? 'drawingFailed' : 'drawingEnded'](reason(words)))
+    for (const scene of this.#scenes.values()) scene.fail(failure)
   }
 
-  #stop(failure: Error): void {
-    this.#worker?.terminate()
-    this.#worker = undefined
-    for (const scene of this.#scenes.values()) scene.leave(failure)
+  #end(failure: Error): void {
+    const channel = this.#channel
+    this.#channel = undefined
+    channel?.end(failure)
   }
 }

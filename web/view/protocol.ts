@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The messages between views and the painting thread. A scene holds the circles of one view; a thread has many scenes.
+// The requests of views to the painting thread, and its events. A scene holds the circles of one view; a thread has many
+// scenes.
 import type { PostedError } from '../lib/base/errors.ts'
 import type {
   Box,
@@ -23,7 +24,6 @@ import type { Name } from './labels.ts'
 import type { Measure, PaintedLayers } from './layers.ts'
 import type { OtherModules } from './load.ts'
 import type { Frame } from './painter/frame.ts'
-import type { RemoteCall, RemoteReply } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
 /**
@@ -107,16 +107,14 @@ export interface Questions {
   tabulate(columns: readonly Column[], ids: Int32Array | undefined): Tabulated
   /** Counts of the diagram, and descriptions of some cells. */
   tell(ids: readonly number[]): Facts
+}
+
+/** The long computations with a view's circles, which run in threads of their own. */
+export interface Computations {
   /** Recomputes everything from scratch for statistics. */
   compute(options: Options): Computed
   /** The events of a method. */
   trace(options: TraceOptions): Traced
-}
-
-/** The work during which a thread failed. `find` computes global results. */
-export interface InProgress {
-  readonly scene: number
-  readonly kind: ToPainter['kind'] | 'paint' | 'find'
 }
 
 /** The elements of an SVG, and the global results to draw above them. */
@@ -125,42 +123,42 @@ export interface DrawnSvg {
   readonly found: GlobalResults
 }
 
-export type ToPainter =
-  | { readonly kind: 'start'; readonly module: CompiledWasm; readonly others: OtherModules }
-  /** Adds a scene without circles. Messages for closed scenes are ignored. */
-  | { readonly kind: 'add'; readonly scene: number }
-  /** Replaces the circles. Without `kept`, circle i gets id i. */
-  | ({
-      readonly kind: 'open'
-      readonly scene: number
-      readonly revision: number
-      /** Identifies the circles. Their edits carry the same number. */
-      readonly opening: number
-      readonly circles: Float64Array
-      readonly kept?: KeptIds | undefined
-    } & DomainChange)
-  /** Applies all edits or none. */
-  | ({
-      readonly kind: 'edit'
-      readonly scene: number
-      readonly revision: number
-      /** Identifies the circles that the edits are for. Edits for other circles are ignored. */
-      readonly opening: number
-      readonly edits: readonly Edit[]
-    } & DomainChange)
-  | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & PaintRequest)
-  /** A question by name, with its arguments. */
-  | ({ readonly kind: 'ask'; readonly scene: number } & RemoteCall<keyof Questions>)
-  /** Sets the layers. `isPainted`: they change the painting, not only the global results (`Found`). */
-  | { readonly kind: 'layers'; readonly scene: number; readonly layers: PaintedLayers; readonly isPainted: boolean }
+/** The functions of each thread. `start` is the first request. */
+interface ThreadRequests {
+  start(module: CompiledWasm, others: OtherModules): void
+}
+
+/** The functions of the painting thread. All but `start` take the number of a scene. */
+export interface PainterRequests extends ThreadRequests, SceneQuestions {
+  /** Adds a scene without circles. */
+  add(scene: number): void
+  /**
+   * Replaces the circles. Without `kept`, circle i gets id i. `opening` identifies the circles. Their edits carry the
+   * same number.
+   */
+  open(scene: number, opening: number, circles: Float64Array, kept: KeptIds | undefined, change: DomainChange): Opened
+  /** Applies all edits or none. Returns `undefined` if the edits are for circles that have been replaced. */
+  edit(scene: number, opening: number, edits: readonly Edit[], change: DomainChange): EditedPicture | undefined
+  look(scene: number, request: PaintRequest, style: Style): void
+  /** Sets the layers. `isPainted`: they change the painting, not only the global results. */
+  layers(scene: number, layers: PaintedLayers, isPainted: boolean): void
   /** Sets the highlighted circles. Their descriptions follow now and after each edit. */
-  | {
-      readonly kind: 'mark'
-      readonly scene: number
-      readonly selected: number | undefined
-      readonly hovered: number | undefined
-    }
-  | { readonly kind: 'close'; readonly scene: number }
+  mark(scene: number, selected: number | undefined, hovered: number | undefined): Highlights
+  close(scene: number): void
+}
+
+type SceneQuestions = {
+  readonly [Name in keyof Questions]: (
+    scene: number,
+    ...args: Parameters<Questions[Name]>
+  ) => ReturnType<Questions[Name]>
+}
+
+/** The functions of a computing thread. They take circles in ascending order of their ids. */
+export interface ComputingRequests extends ThreadRequests {
+  compute(circles: Float64Array, ids: Int32Array, options: Options): Computed
+  trace(circles: Float64Array, ids: Int32Array, options: TraceOptions): Traced
+}
 
 /** Pixels of one revision. A patch never mixes revisions. */
 export interface Patch {
@@ -168,56 +166,52 @@ export interface Patch {
   readonly image: ImageBitmap
 }
 
-export type FromPainter =
-  | {
-      readonly kind: 'opened'
-      readonly scene: number
-      readonly revision: number
-      readonly counts: DiagramCounts
-      readonly seconds: number
-      /** The circles with fitted radii. */
-      readonly circles?: Float64s | undefined
-      readonly fitted?: Fitted | undefined
-      readonly colors?: string | undefined
-      readonly change?: undefined
-    }
-  | {
-      readonly kind: 'edited'
-      readonly scene: number
-      readonly revision: number
-      readonly counts: DiagramCounts
-      readonly grid: number
-      readonly patches: readonly Patch[]
-      /** Boxes around the visible difference. */
-      readonly boxes: readonly Box[]
-      readonly change: CircleChange
-      readonly marks: Highlights
-      /** `undefined`: not computed yet. */
-      readonly found: GlobalResults | undefined
-      readonly fitted?: Fitted | undefined
-      readonly colors?: string | undefined
-      readonly seconds: number
-    }
-  | { readonly kind: 'refused'; readonly scene: number; readonly revision: number; readonly error: PostedError }
-  /** The edits were for circles that have been replaced. */
-  | { readonly kind: 'superseded'; readonly scene: number; readonly revision: number }
-  | {
-      readonly kind: 'painted'
-      readonly scene: number
-      readonly grid: number
-      readonly patches: readonly Patch[]
-      /** The number of the paint request. */
-      readonly paintId: number
-      /** Whether the request is complete. */
-      readonly isWhole: boolean
-    }
-  | ({ readonly kind: 'answer' } & RemoteReply)
-  | { readonly kind: 'found'; readonly scene: number; readonly found: GlobalResults }
-  | { readonly kind: 'marked'; readonly scene: number; readonly marks: Highlights }
+/** The result of opening circles. */
+export interface Opened {
+  readonly counts: DiagramCounts
+  readonly seconds: number
+  /** The circles with fitted radii. */
+  readonly circles: Float64s | undefined
+  readonly fitted: Fitted | undefined
+  readonly colors: string | undefined
+}
+
+/** The result of an edit, and what it changed in the picture. */
+export interface EditedPicture extends Omit<Opened, 'circles'> {
+  readonly kind: 'edited'
+  readonly grid: number
+  readonly patches: readonly Patch[]
+  /** Boxes around the visible difference. */
+  readonly boxes: readonly Box[]
+  readonly change: CircleChange
+  readonly marks: Highlights
+  /** `undefined`: not computed yet. */
+  readonly found: GlobalResults | undefined
+}
+
+/** Tiles for a paint request. */
+export interface PaintedTiles {
+  readonly kind: 'painted'
+  readonly grid: number
+  readonly patches: readonly Patch[]
+  /** The number of the paint request. */
+  readonly paintId: number
+  /** Whether the request is complete. */
+  readonly isWhole: boolean
+}
+
+/** The changes of a picture. */
+export type Painted = PaintedTiles | EditedPicture
+
+/** The events of the painting thread. All are about one scene. */
+export interface PainterEvents {
+  readonly painted: PaintedTiles & { readonly scene: number }
+  readonly found: { readonly scene: number; readonly found: GlobalResults }
   /** The same highlights with outlines for the current viewport and layers. */
-  | { readonly kind: 'outlined'; readonly scene: number; readonly marks: Highlights }
-  /** The thread has failed. `during` is the work of a single scene that caused it, if known. */
-  | { readonly kind: 'failed'; readonly message: string; readonly during?: InProgress | undefined }
+  readonly outlined: { readonly scene: number; readonly marks: Highlights }
+  /** Painting or a search for global results failed. The scene stays. */
+  readonly failed: { readonly scene: number; readonly error: PostedError }
+}
 
 /** The accuracy of fitted areas. */
 export interface Fitted {

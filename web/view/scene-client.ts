@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { receivedError } from '../lib/base/errors.ts'
+import { CircleVoronoiError, type PostedError, reasonOf, receivedError } from '../lib/base/errors.ts'
 import type { Edit, Point } from '../lib/index.ts'
-import { CircleTable, type Hit, type KeptIds, NO_CHANGE } from './circle-table.ts'
+import { CancelableRequests } from '../lib/threads/cancelable-requests.ts'
+import type { Channel } from '../lib/threads/channel.ts'
+import { type CircleChange, CircleTable, type Hit, type KeptIds, NO_CHANGE } from './circle-table.ts'
+import type { ComputingThreads } from './computing-threads.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { PaintedLayers } from './layers.ts'
 import type {
+  Computations,
   DomainChange,
   Fitted,
-  FromPainter,
   GlobalResults,
   Highlights,
-  InProgress,
+  Opened,
+  Painted,
+  PaintedTiles,
+  PainterRequests,
   PaintRequest,
   Questions,
-  ToPainter,
 } from './protocol.ts'
-import { Failure, type Refusals, Superseded } from './refusal.ts'
-import type { RemoteCalls } from './remote-calls.ts'
+import { ENGLISH_REFUSALS, Failure, Refusal, type Refusals, Superseded } from './refusal.ts'
 import type { Style } from './style.ts'
 
 /** The result of opening circles or of an edit. */
@@ -41,35 +45,21 @@ export interface PictureEvents {
   marked(marks: Highlights): void
   /** `undefined`: the results belong to former circles, and new ones will follow. */
   found(found: GlobalResults | undefined): void
-  /** The thread has failed and a new one continues. The possible cause of the failure is dropped. */
-  failed(failure: Failure, lost: Lost): void
+  /** Something failed that no request asked for. */
+  failed(failure: Error): void
 }
 
-/** The settings that a new thread does not receive. */
-export interface Lost {
-  /** Whether circles were highlighted. */
-  readonly marks: boolean
-  readonly layers: boolean
-}
-
-export type Painted = Extract<FromPainter, { kind: 'painted' | 'edited' }>
-
-/** An unanswered request to change circles. */
-interface Waiting {
-  readonly message: Extract<ToPainter, { kind: 'open' | 'edit' }>
-  resolve(edited: Edited): void
-  reject(error: unknown): void
-}
-
-/** The thread of a scene. */
-export interface SceneThread {
-  readonly questions: RemoteCalls<Questions>
-  isRunning(): boolean
-  /** Starts a thread if none is running. Returns false if the thread has been disposed of. */
-  begin(): boolean
-  /** Replaces the thread, and rejects all pending requests with `Superseded`. */
+/** The threads of a scene. */
+export interface SceneThreads {
+  /** The channel to the painting thread; `undefined` if there is none. */
+  channel(): Channel<PainterRequests> | undefined
+  /** Starts a painting thread if there is none. @throws Failure */
+  begin(): Channel<PainterRequests>
+  /** Replaces the painting thread, and rejects all pending requests with `Superseded`. */
   restart(): void
-  post(message: ToPainter): void
+  readonly compute: ComputingThreads['request']
+  /** Notes that the painting thread has completed something. */
+  worked(): void
   remove(scene: number): unknown
 }
 
@@ -80,36 +70,40 @@ export const failureFor = (reason: Reason): Error => new Failure((words) => word
 
 export const isDisposedOf: Reason = (words) => words.disposed
 
+/** All that can be asked about the circles of a view. */
+export type Asked = Questions & Computations
+
 /** Questions that refer to circles by id or position. */
-const ABOUT_KNOWN: ReadonlySet<keyof Questions> = new Set(['touch', 'try', 'tell', 'tabulate'])
+const ABOUT_KNOWN: ReadonlySet<keyof Asked> = new Set(['touch', 'try', 'tell', 'tabulate'])
 
-/** The revision of the circles that a new thread starts with. */
-const RESTORED = 0
+export type Answer<Name extends keyof Asked> = ReturnType<Asked[Name]> | undefined
 
-export type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
+type Args<Name extends keyof PainterRequests> = Parameters<PainterRequests[Name]>
 
-/** The circles of one view in the painting thread, and the state from which a new thread continues after a failure. */
+type Followed = Omit<Opened, 'circles'> & { readonly change: CircleChange }
+
+/** The circles of one view in the painting thread, and the state that another thread gets after a crash. */
 export class SceneClient {
   readonly #scene: number
   readonly #events: PictureEvents
-  readonly #thread: SceneThread
-  readonly #waiting = new Map<number, Waiting>()
-  #revision = 0
+  readonly #threads: SceneThreads
+  readonly #requests = new CancelableRequests()
+  #lastOpening = 0
+  /** The number of openings and fits that are running. */
+  #longChanges = 0
   #isClosed = false
   #circles = new CircleTable(new Float64Array())
   /** `fit` is left out, because the circles already have their fitted radii. */
   #domain: DomainChange = {}
-  #look: ToPainter | undefined
-  /** The last answered request for highlights, and the unanswered ones. */
-  #mark: ToPainter | undefined
-  #unansweredMarks: ToPainter[] = []
-  #layers: ToPainter | undefined
+  #look: Args<'look'> | undefined
+  #mark: Args<'mark'> | undefined
+  #layers: Args<'layers'> | undefined
 
-  constructor(scene: number, events: PictureEvents, thread: SceneThread) {
+  constructor(scene: number, events: PictureEvents, threads: SceneThreads) {
     this.#scene = scene
     this.#events = events
-    this.#thread = thread
-    thread.post({ kind: 'add', scene })
+    this.#threads = threads
+    this.#send('add', [scene])
   }
 
   /** The circles after all finished edits. An opening creates a new table. */
@@ -131,8 +125,14 @@ export class SceneClient {
    * @throws CircleVoronoiError as `compute`; the scene stays unchanged
    */
   open(circles: Float64Array, change: DomainChange = {}, kept?: KeptIds): Promise<Edited> {
-    const revision = this.#nextRevision()
-    return this.#edited({ kind: 'open', scene: this.#scene, revision, opening: revision, circles, kept, ...change })
+    this.#lastOpening += 1
+    const opening = this.#lastOpening
+    return this.#change('open', [this.#scene, opening, circles, kept, change], change, true, (opened) => {
+      // The highlighted ids belonged to former circles.
+      this.#mark = undefined
+      this.#circles = new CircleTable(opened.circles ?? circles.slice(), opening, kept)
+      return { ...opened, change: NO_CHANGE }
+    })
   }
 
   /**
@@ -141,55 +141,89 @@ export class SceneClient {
    * opened before the edits run. The scene stays unchanged
    */
   edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
-    const revision = this.#nextRevision()
-    const { opening } = this.#circles
-    return this.#edited({ kind: 'edit', scene: this.#scene, revision, opening, edits, ...change })
-  }
-
-  #nextRevision(): number {
-    this.#revision += 1
-    return this.#revision
-  }
-
-  #edited(message: Waiting['message']): Promise<Edited> {
-    return new Promise((resolve, reject) => {
-      this.#waiting.set(message.revision, { message, resolve, reject })
-      if (this.#isClosed || !this.#thread.begin()) this.leave(failureFor(isDisposedOf))
-      else this.#thread.post(message)
+    const args: Args<'edit'> = [this.#scene, this.#circles.opening, edits, change]
+    return this.#change('edit', args, change, change.fit !== undefined, (edited) => {
+      if (edited === undefined) throw new Superseded()
+      this.#events.marked(edited.marks)
+      this.#events.painted(edited)
+      this.#events.found(edited.found)
+      return edited
     })
+  }
+
+  /** Sends a change of the circles, and follows it. `isLong`: it can be canceled. */
+  async #change<Name extends 'open' | 'edit'>(
+    name: Name,
+    args: Args<Name>,
+    change: DomainChange,
+    isLong: boolean,
+    follow: (answer: ReturnType<PainterRequests[Name]>) => Followed,
+  ): Promise<Edited> {
+    if (this.#isClosed) throw failureFor(isDisposedOf)
+    const channel = this.#threads.begin()
+    this.#longChanges += Number(isLong)
+    try {
+      const answer = await this.#requests.run(undefined, ({ signal }) => channel.request(name, args, { signal }))
+      const { counts, fitted, seconds, colors, change: changed } = follow(answer)
+      const { region = this.#domain.region, lattice = this.#domain.lattice, areSites = this.#domain.areSites } = change
+      this.#domain = { region, lattice, areSites, colors: colors ?? this.#domain.colors }
+      const back = this.#circles.follow(changed)
+      this.#threads.worked()
+      return { counts, fitted, seconds, colors, inserted: changed.inserted, back }
+    } catch (error) {
+      if (error instanceof CircleVoronoiError) this.#threads.worked()
+      // The thread may have other circles than the confirmed ones.
+      if (isUnexpected(error)) this.#reopen()
+      throw asFailure(error)
+    } finally {
+      this.#longChanges -= Number(isLong)
+    }
   }
 
   /** Cancels an opening by replacing the thread that computes it. Returns false if no opening is running. */
   cancel(): boolean {
-    const isOpening = [...this.#waiting.values()].some(
-      ({ message }) => message.kind === 'open' || message.fit !== undefined,
-    )
-    if (isOpening) this.#thread.restart()
+    const isOpening = this.#longChanges > 0
+    if (isOpening) this.#threads.restart()
     return isOpening
   }
 
   /**
-   * Asks the thread a question. Resolves to `undefined` if the thread failed or the question's circles have been
-   * replaced.
+   * Asks a question. Resolves to `undefined` if it was canceled or its circles have been replaced, or if the thread
+   * failed, which is an event.
    * @throws CircleVoronoiError that says why there is no answer
    */
-  async ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
-    if (!this.#thread.isRunning() || this.#isClosed) return undefined
+  async ask<Name extends keyof Asked>(
+    name: Name,
+    args: Parameters<Asked[Name]>,
+    signal?: AbortSignal,
+  ): Promise<Answer<Name>> {
+    if (this.#isClosed) return undefined
     const circles = this.#circles
-    const answer = await this.#thread.questions.call(
-      name,
-      args,
-      (call) => this.#thread.post({ kind: 'ask', scene: this.#scene, ...call }),
-      this,
-    )
-    // Drops an answer about circles that have been replaced since the question.
-    return ABOUT_KNOWN.has(name) && this.#circles !== circles ? undefined : answer
+    try {
+      const answer = await this.#requests.run(signal, ({ signal }) => this.#answerTo(name, args, signal))
+      this.#threads.worked()
+      // Drops an answer about circles that have been replaced since the question.
+      return ABOUT_KNOWN.has(name) && this.#circles !== circles ? undefined : (answer as Answer<Name>)
+    } catch (error) {
+      if (!(error instanceof CircleVoronoiError)) return undefined
+      if (!isUnexpected(error)) throw error
+      this.#events.failed(asFailure(error))
+      return undefined
+    }
   }
 
-  // An unserializable message is thrown by `post`. Storing it first would make every later attempt fail.
+  async #answerTo(name: keyof Asked, args: readonly unknown[], signal: AbortSignal): Promise<unknown> {
+    if (name === 'compute' || name === 'trace') {
+      const [options] = args as Parameters<Asked[typeof name]>
+      const circles = this.#circles.circles()
+      return this.#threads.compute(name, [circles, Int32Array.from(this.#circles.ids()), options], signal)
+    }
+    return this.#threads.channel()?.request(name, [this.#scene, ...args] as never, { signal })
+  }
 
   look(request: PaintRequest, style: Style): void {
-    this.#look = this.#posted({ kind: 'look', scene: this.#scene, ...request, style }) ?? this.#look
+    const args: Args<'look'> = [this.#scene, request, style]
+    if (this.#send('look', args)) this.#look = args
   }
 
   /** Sets the layers. The next `look` paints them. */
@@ -203,94 +237,85 @@ export class SceneClient {
   }
 
   #setLayers(layers: PaintedLayers, isPainted: boolean): void {
-    this.#layers = this.#posted({ kind: 'layers', scene: this.#scene, layers, isPainted }) ?? this.#layers
+    const args: Args<'layers'> = [this.#scene, layers, isPainted]
+    if (this.#send('layers', args)) this.#layers = args
   }
 
   /** Highlights circles. */
   mark(selected: number | undefined, hovered: number | undefined): void {
-    const message = this.#posted({ kind: 'mark', scene: this.#scene, selected, hovered })
-    if (message !== undefined) this.#unansweredMarks.push(message)
+    const args: Args<'mark'> = [this.#scene, selected, hovered]
+    if (this.#send('mark', args, (marks) => this.#events.marked(marks))) this.#mark = args
   }
 
-  #posted(message: ToPainter): ToPainter | undefined {
-    if (this.#isClosed) return undefined
-    this.#thread.post(message)
-    return message
+  /**
+   * Sends a request whose error is an event. Returns false if the scene is closed.
+   * @throws DOMException if the arguments cannot be sent. Nobody must keep them, or each later attempt would fail
+   */
+  #send<Name extends keyof PainterRequests>(
+    name: Name,
+    args: Args<Name>,
+    use: (answer: ReturnType<PainterRequests[Name]>) => void = () => {},
+  ): boolean {
+    if (this.#isClosed) return false
+    const answer = this.#threads.channel()?.request(name, args)
+    answer?.then(use).catch((error) => {
+      // Other errors have ended the thread, which is told once.
+      if (error instanceof CircleVoronoiError && !this.#isClosed) this.#events.failed(asFailure(error))
+    })
+    return true
   }
 
   /** Closes the scene. Pending and later requests are rejected. */
   close(): void {
-    this.#posted({ kind: 'close', scene: this.#scene })
+    this.#send('close', [this.#scene])
     this.#isClosed = true
-    this.#thread.remove(this.#scene)
-    this.leave(failureFor(isDisposedOf))
-  }
-
-  /** Rejects all requests that will not be answered. */
-  leave(failure: Error): void {
-    this.#thread.questions.leave(this)
-    for (const { reject } of this.#waiting.values()) reject(failure)
-    this.#waiting.clear()
+    this.#threads.remove(this.#scene)
+    this.#requests.cancelAll(failureFor(isDisposedOf))
   }
 
   /** Sends the whole state to a new thread. */
   restore(): void {
-    const scene = this.#scene
-    const { opening, keptIds: kept } = this.#circles
-    const circles = this.#circles.circles()
-    const messages: readonly (ToPainter | undefined)[] = [
-      { kind: 'add', scene },
-      this.#layers,
-      { kind: 'open', scene, revision: RESTORED, opening, circles, kept, ...this.#domain },
-      this.#look,
-      this.#mark,
-    ]
-    for (const message of messages) if (message !== undefined) this.#thread.post(message)
+    this.#send('add', [this.#scene])
+    this.#reopen()
   }
 
-  /** Handles a message of the thread. Returns whether it completes a request. */
-  receive(message: Extract<FromPainter, { scene: number }>): boolean {
-    if (message.kind === 'marked') this.#mark = this.#unansweredMarks.shift() ?? this.#mark
-    if ('marks' in message) this.#events.marked(message.marks)
-    if (message.kind === 'painted' || message.kind === 'edited') this.#events.painted(message)
-    if (message.kind === 'edited' || message.kind === 'found') this.#events.found(message.found)
-    if (!('revision' in message)) return message.kind === 'painted' && message.isWhole
-    const waiting = this.#waiting.get(message.revision)
-    if (waiting === undefined) return false
-    this.#waiting.delete(message.revision)
-    if (message.kind === 'superseded') waiting.reject(new Superseded())
-    else if (message.kind === 'refused') waiting.reject(receivedError(message.error))
-    else waiting.resolve(this.#follow(waiting.message, message))
-    return true
+  #reopen(): void {
+    const { opening, keptIds } = this.#circles
+    if (this.#layers !== undefined) this.#send('layers', this.#layers)
+    this.#send('open', [this.#scene, opening, this.#circles.circles(), keptIds, this.#domain])
+    if (this.#look !== undefined) this.#send('look', this.#look)
+    if (this.#mark !== undefined) this.mark(this.#mark[1], this.#mark[2])
   }
 
-  #follow(asked: Waiting['message'], done: Extract<FromPainter, { kind: 'opened' | 'edited' }>): Edited {
-    const { region = this.#domain.region, lattice = this.#domain.lattice, areSites = this.#domain.areSites } = asked
-    const { counts, fitted, seconds, colors, change = NO_CHANGE } = done
-    this.#domain = { region, lattice, areSites, colors: colors ?? this.#domain.colors }
-    if (done.kind === 'opened' && asked.kind === 'open') {
-      // The highlighted ids belonged to former circles.
-      this.#mark = undefined
-      this.#circles = new CircleTable(done.circles ?? asked.circles.slice(), asked.opening, asked.kept)
-    }
-    const back = this.#circles.follow(change)
-    return { counts, fitted, seconds, colors, inserted: change.inserted, back }
+  receivePainted(painted: PaintedTiles): void {
+    if (painted.isWhole) this.#threads.worked()
+    this.#events.painted(painted)
   }
 
-  /** Drops the settings that may have crashed a thread, during its work or at its start. Returns which ones. */
-  forgetCause(during: InProgress | undefined, isBare: boolean): Lost {
-    const isOfScene = during?.scene === this.#scene
-    const isUnanswered = this.#unansweredMarks.length > 0
-    this.#unansweredMarks = []
-    // Each viewport and each edit computes the highlights, so they may have been the cause.
-    const marks = isBare || isUnanswered || (isOfScene && ['look', 'edit'].includes(during.kind))
-    const layers = isBare || (isOfScene && ['layers', 'paint', 'find'].includes(during.kind))
-    if (marks) this.#mark = undefined
-    if (layers) this.#layers = undefined
-    return { marks, layers }
+  receiveFound(found: GlobalResults): void {
+    this.#events.found(found)
   }
 
-  fail(failure: Failure, lost: Lost): void {
-    this.#events.failed(failure, lost)
+  receiveOutlines(marks: Highlights): void {
+    this.#events.marked(marks)
   }
+
+  receiveFailure(error: PostedError): void {
+    this.#events.failed(asFailure(receivedError(error)))
+  }
+
+  fail(failure: Failure): void {
+    this.#events.failed(failure)
+  }
+}
+
+/** Whether an error is a fault of the program and not of its input. */
+function isUnexpected(error: unknown): boolean {
+  return error instanceof CircleVoronoiError && error.code === 'internal'
+}
+
+/** Explains an unexpected error. Other errors explain themselves. */
+function asFailure(error: unknown): Error {
+  if (!isUnexpected(error)) return error as Error
+  return new Refusal(ENGLISH_REFUSALS, (words) => words.notComputed(reasonOf(error)), 'internal')
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box } from '../lib/index.ts'
 import { type Camera, type Size, toPlane } from './camera.ts'
-import { type Grid, type PaintRequest, type PixelBox, TILE } from './protocol.ts'
-import type { Painted } from './scene-client.ts'
+import { type Grid, type Painted, type PaintRequest, type PixelBox, TILE } from './protocol.ts'
 
 /** Margin painted around the viewport, in device pixels, so that panning has pixels ready. */
 const MARGIN = TILE

@@ -7,7 +7,6 @@ import { Events } from './events.ts'
 import type { Name, Names } from './labels.ts'
 import {
   checkLayers,
-  DEFAULT_LAYERS,
   isPathOnly,
   type Layers,
   type OverlayLayer,
@@ -27,14 +26,14 @@ import {
 } from './overlay.ts'
 import { CanvasDrawing } from './painter/drawing.ts'
 import type { Painter } from './painter.ts'
-import type { DomainChange, GlobalResults, Highlights, Questions, Touching, Trial } from './protocol.ts'
+import type { DomainChange, GlobalResults, Highlights, Touching, Trial } from './protocol.ts'
 import { Superseded } from './refusal.ts'
-import type { Answer, Edited, Lost, SceneClient } from './scene-client.ts'
+import type { Answer, Asked, Edited, SceneClient } from './scene-client.ts'
 import { Screen } from './screen.ts'
 import type { Store } from './store.ts'
 import type { Style } from './style.ts'
 import { MOST_ENLARGED, TileBuffer } from './tile-buffer.ts'
-import { NO_HIGHLIGHTS, selectedIn, type ViewState } from './view-state.ts'
+import { selectedIn, type ViewState } from './view-state.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const SHARPENING_DELAY = 80
@@ -60,7 +59,7 @@ export interface ViewEvents {
   readonly changed: Edited
   /** A change was refused, with a `CircleVoronoiError`, or another error if the thread failed. */
   readonly refused: Error
-  /** Drawing failed, and a new thread continues. */
+  /** Drawing failed, or something else that no request asked for. */
   readonly failed: Error
 }
 
@@ -132,7 +131,7 @@ export class View {
         this.#events.tell('marked', highlights)
       },
       found: (found) => this.#findingChanges(found),
-      failed: (error, lost) => this.#drawingFailed(error, lost),
+      failed: (error) => this.#events.tell('failed', error),
     })
     let [selected, hovered]: (number | undefined)[] = []
     const mark = (state: ViewState) => {
@@ -228,12 +227,16 @@ export class View {
   }
 
   /**
-   * Asks the thread a question. Resolves to `undefined` if the thread failed or the question's circles have been
-   * replaced.
+   * Asks a question about the circles. Resolves to `undefined` if it was canceled or its circles have been replaced, or
+   * if the thread failed, which is the event `failed`.
    * @throws CircleVoronoiError that says why there is no answer
    */
-  ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
-    return this.#scene.ask(name, ...args)
+  ask<Name extends keyof Asked>(
+    name: Name,
+    args: Parameters<Asked[Name]>,
+    signal?: AbortSignal,
+  ): Promise<Answer<Name>> {
+    return this.#scene.ask(name, args, signal)
   }
 
   /** The disc of a circle as it is drawn: a point if radii are weights. */
@@ -303,7 +306,7 @@ export class View {
     const disc =
       point === undefined || !this.drawnLayers.disc
         ? undefined
-        : await this.#scene.ask('touch', point.x, point.y, slack)
+        : await this.#scene.ask('touch', [point.x, point.y, slack])
     if (this.#discAt !== point || disc === this.#disc) return
     this.#disc = disc
     this.#overlayChanges()
@@ -313,7 +316,7 @@ export class View {
   async tryCircle(circle: Circle | undefined): Promise<void> {
     this.#lastTrial += 1
     const turn = this.#lastTrial
-    const trial = circle === undefined ? undefined : await this.#scene.ask('try', circle)
+    const trial = circle === undefined ? undefined : await this.#scene.ask('try', [circle])
     if (turn !== this.#lastTrial || trial === this.#trial) return
     this.#trial = trial
     this.#overlayChanges()
@@ -510,14 +513,6 @@ export class View {
     const frame = { x: this.camera.x, y: this.camera.y, scale: this.camera.scale * ratio, width, height }
     context.clearRect(0, 0, width, height)
     drawOverlay(new CanvasDrawing(context), frame, ratio, this.style, content)
-  }
-
-  /** Continues with a new thread, without the possible cause of the failure. */
-  #drawingFailed(error: Error, { marks, layers }: Lost): void {
-    // The failed request may have been one for highlights.
-    if (marks) this.#update({ highlights: NO_HIGHLIGHTS, selection: [], hovered: undefined })
-    if (layers) this.setLayers(DEFAULT_LAYERS)
-    this.#events.tell('failed', error)
   }
 
   #findingChanges(found: GlobalResults | undefined): void {

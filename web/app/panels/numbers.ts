@@ -55,7 +55,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
 
   const measure = async () => {
     const of = edited
-    const answer = await view.ask('measure')
+    const answer = await view.ask('measure', [])
     // Drops an answer about former circles.
     if (of !== edited || answer === undefined) return
     distribution = answer
@@ -76,7 +76,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
     const of = edited
     computed = 'computing'
     draw()
-    const answer = await view.ask('compute', (WAYS[way] as (typeof WAYS)[number])[1])
+    const answer = await view.ask('compute', [(WAYS[way] as (typeof WAYS)[number])[1]])
     computed = of === edited ? answer : undefined
     draw()
   }

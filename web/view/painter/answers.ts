@@ -3,21 +3,20 @@
 import { NONE } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Point } from '../../lib/index.ts'
+import { transferring } from '../../lib/threads/answer-requests.ts'
 import type { Questions, Touching } from '../protocol.ts'
 import { distributionOf } from './distribution.ts'
 import { CanvasDrawing } from './drawing.ts'
 import { factsOf } from './facts.ts'
 import type { PaintedScene } from './painted-scene.ts'
 import { roomNear } from './room.ts'
+import type { Steps } from './scheduler.ts'
 import { tabulated, tabulatedAll } from './tabulate.ts'
 import { touchingAround, touchingNear } from './touching.ts'
-import { traced } from './traced.ts'
 import { trialOf } from './trial.ts'
 
-/** Long answers are computed in steps. */
-export type Steps<Value> = () => Generator<void, Value>
-/** A function for each question. */
-type Answers = {
+/** A function for each question. Long answers are computed in steps. */
+type QuestionAnswers = {
   readonly [Name in keyof Questions]: (
     scene: PaintedScene,
     ...args: Parameters<Questions[Name]>
@@ -58,23 +57,14 @@ export const answers = {
       const canvas = new OffscreenCanvas(frame.width, frame.height)
       const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
       scene.draw(new CanvasDrawing(context), frame, ...given)
-      return canvas.transferToImageBitmap()
+      const image = canvas.transferToImageBitmap()
+      return transferring(image, [image])
     }),
   measure: (scene) => () => distributionOf(scene.picture),
   tabulate: (scene, columns, ids) =>
     ids === undefined ? () => tabulatedAll(scene.picture, columns) : tabulated(scene.picture, columns, ids),
   tell: (scene, ids) => factsOf(scene.picture, scene.counts(), ids),
-  compute({ library, picture }, options) {
-    try {
-      const { stats, certificate } = library.compute(picture.diagram.circles, options)
-      return { stats, certificate }
-    } catch (error) {
-      if (!(error instanceof CircleVoronoiError)) throw error
-      return { problem: error.message }
-    }
-  },
-  trace: ({ library, picture }, options) => traced(library, picture.diagram, options),
-} satisfies Answers
+} satisfies QuestionAnswers
 
 function movedBy<Touched extends Touching | undefined>(touching: Touched, { x, y }: Point): Touched {
   if (touching === undefined || (x === 0 && y === 0)) return touching

@@ -15,24 +15,23 @@ import { commandsOf } from './commands.ts'
 import type { Picture } from './picture.ts'
 import { touching } from './touching.ts'
 
-/** Computes the visible layers that depend on all circles. Unbounded parts extend as far as the picture. */
-export function found({ diagram, reach, layers, method }: Picture, tolerance: number): GlobalResults {
-  const largest = layers.largestDisc && diagram.circles.length > 0 ? largestEmptyDiscCenteredInHull(diagram) : undefined
-  return {
-    hull: layers.hull ? hullOf(diagram) : undefined,
-    largestDisc:
-      largest === undefined
-        ? undefined
-        : {
-            ...touching(diagram, largest.disc, largest.circles),
-            circles: largest.circles.map((i) => idOf(diagram, i)),
-          },
-    path:
-      layers.path === undefined || diagram.circles.length === 0
-        ? undefined
-        : pathOf(diagram, layers.path.from, layers.path.to, tolerance, reach),
-    method: method?.found,
+/**
+ * Computes the visible layers that depend on all circles, one in each step. Unbounded parts extend as far as the
+ * picture.
+ */
+export function* found({ diagram, reach, layers, method }: Picture, tolerance: number): Generator<void, GlobalResults> {
+  const isEmpty = diagram.circles.length === 0
+  const hull = layers.hull ? hullOf(diagram) : undefined
+  yield
+  const largest = layers.largestDisc && !isEmpty ? largestEmptyDiscCenteredInHull(diagram) : undefined
+  const largestDisc = largest && {
+    ...touching(diagram, largest.disc, largest.circles),
+    circles: largest.circles.map((i) => idOf(diagram, i)),
   }
+  yield
+  const { path: ends } = layers
+  const path = ends === undefined || isEmpty ? undefined : pathOf(diagram, ends.from, ends.to, tolerance, reach)
+  return { hull, largestDisc, path, method: method?.found }
 }
 
 /**

@@ -34,6 +34,7 @@ import { paint } from './paint.ts'
 import { PaintContext } from './paint-context.ts'
 import { type Difference, Picture } from './picture.ts'
 import { leastFirst } from './ring.ts'
+import { finished } from './scheduler.ts'
 import { SvgDrawing } from './svg-drawing.ts'
 import { Tiles, type ViewportRequest } from './tiles.ts'
 import { addTitles } from './titles.ts'
@@ -62,8 +63,6 @@ function secondsSince(start: number): number {
 /** The diagram of one view and the tiles already sent to it. */
 export class PaintedScene {
   readonly library: CircleVoronoi
-  /** Identifies the current circles. Edits for other circles are ignored. */
-  opening = 0
   /** The diagram and how it is drawn. */
   picture: Picture
   /** The requested layers. */
@@ -225,13 +224,25 @@ export class PaintedScene {
 
   /** Computes the global results. */
   find(): GlobalResults {
-    const start = performance.now()
+    return finished(this.findInSteps())
+  }
+
+  /** Computes the global results in steps. The circles must stay the same meanwhile. */
+  *findInSteps(): Generator<void, GlobalResults> {
     const scale = this.tiles.viewport?.grid.scale
     const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
-    const result = found(this.picture, tolerance)
-    this.#isFound = true
-    this.#findingSeconds = secondsSince(start)
-    return result
+    const steps = found(this.picture, tolerance)
+    for (let seconds = 0; ; ) {
+      const start = performance.now()
+      const step = steps.next()
+      seconds += secondsSince(start)
+      if (step.done === true) {
+        this.#isFound = true
+        this.#findingSeconds = seconds
+        return step.value
+      }
+      yield
+    }
   }
 
   /** Draws a frame. */
@@ -245,7 +256,7 @@ export class PaintedScene {
     const painting = new PaintContext(drawing, frame, 1, this.picture, style)
     paint(painting)
     addTitles(drawing, painting, names)
-    return { elements: String(drawing), found: found(this.picture, toleranceOf(frame)) }
+    return { elements: String(drawing), found: finished(found(this.picture, toleranceOf(frame))) }
   }
 
   counts(): DiagramCounts {
@@ -301,10 +312,7 @@ export class PaintedScene {
     if (colors !== undefined) this.picture.recolor(colors)
     // Repaints all visible tiles together, so that no part of an animation lags behind.
     const isAtOnce = (this.#followPower() || this.picture.torus !== undefined) && !isElsewhere
-    const { tiles } = this
-    const patches = isElsewhere
-      ? []
-      : [...tiles.release(), ...tiles.repaint(isAtOnce ? undefined : boxes), ...tiles.paintSeen()]
+    const patches = isElsewhere ? [] : this.#repaint(isAtOnce ? undefined : boxes)
     if ((isEverywhere && !isAtOnce) || isElsewhere) this.tiles.restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
@@ -316,6 +324,18 @@ export class PaintedScene {
       fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
       seconds,
+    }
+  }
+
+  /** Repaints boxes and missing tiles that are visible. `undefined` repaints all tiles. */
+  #repaint(boxes: readonly Box[] | undefined): Patch[] {
+    const { tiles } = this
+    try {
+      return [...tiles.release(), ...tiles.repaint(boxes), ...tiles.paintSeen()]
+    } catch {
+      // The edit is made. Painting fails again in a slice, which reports the error.
+      tiles.restart()
+      return []
     }
   }
 

@@ -43,8 +43,8 @@ export class Tiles {
   /** Sets the viewport. Returns whether it covers another box or has another scale. */
   turnTo(viewport: ViewportRequest): { isElsewhere: boolean; isOtherScale: boolean } {
     const before = this.#viewport
-    this.#viewport = viewport
     const isOtherGrid = before?.grid.id !== viewport.grid.id
+    this.#viewport = viewport
     if (isOtherGrid) {
       this.#painted.clear()
       this.#drop()
@@ -60,8 +60,8 @@ export class Tiles {
   paintNext(): Patch[] {
     const tile = this.#waiting.pop()
     if (tile === undefined || this.#viewport === undefined) return []
-    this.#painted.add(keyOf(tile))
     const patch = this.#paint(tile, this.#viewport)
+    this.#painted.add(keyOf(tile))
     if (this.#held === undefined) return [patch]
     this.#held.push(patch)
     return this.#isSeenMissing ? [] : this.release()
@@ -91,8 +91,9 @@ export class Tiles {
     const isSeen = (tile: PixelBox) => intersection(tile, viewport.seen) !== undefined
     const tiles = this.#waiting.filter(isSeen)
     this.#waiting = this.#waiting.filter((tile) => !isSeen(tile))
+    const patches = tiles.map((tile) => this.#paint(tile, viewport))
     for (const tile of tiles) this.#painted.add(keyOf(tile))
-    return tiles.map((tile) => this.#paint(tile, viewport))
+    return patches
   }
 
   /** Repaints boxes of the plane where the view has tiles; `undefined` repaints all tiles. */
@@ -116,6 +117,12 @@ export class Tiles {
     if (isShown) this.#held = []
     this.#painted.clear()
     this.#queue(this.#viewport)
+  }
+
+  /** Paints no more tiles until the next request. */
+  stop(): void {
+    this.#waiting = []
+    this.#drop()
   }
 
   #queue({ seen, wanted }: ViewportRequest): void {

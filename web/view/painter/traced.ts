@@ -1,33 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { DiagramSnapshot, Edit } from '../../lib/index.ts'
+import type { Edit, Options } from '../../lib/index.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import { MOST_PLAYED } from '../layers.ts'
-import type { Traced } from '../protocol.ts'
+import type { Computed, Traced } from '../protocol.ts'
 import { wholeNumber } from '../whole-number.ts'
 
 /**
- * Traces a method on the circles of an editor's diagram, whose indices have no particular order.
+ * Traces a method on circles in ascending order of their ids.
  * @throws CircleVoronoiError as `trace`; `tooManyCircles`
  */
-export function traced(library: CircleVoronoi, { circles, numbers }: DiagramSnapshot, options: TraceOptions): Traced {
-  const count = circles.length / 3
-  if (count > MOST_PLAYED) {
-    const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(count)}.`
+export function traced(library: CircleVoronoi, circles: Float64Array, ids: Int32Array, options: TraceOptions): Traced {
+  if (ids.length > MOST_PLAYED) {
+    const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(ids.length)}.`
     throw new CircleVoronoiError('tooManyCircles', reason)
   }
-  const idOf = (i: number) => at(numbers?.circles as Int32Array, i)
-  const order = Int32Array.from({ length: count }, (_, i) => i).sort((i, j) => idOf(i) - idOf(j))
-  const sorted = new Float64Array(3 * count)
-  for (const [k, i] of order.entries()) sorted.set(circles.subarray(3 * i, 3 * i + 3), 3 * k)
-  const ids = order.map(idOf)
   const names = [...ids]
   const edits = options.edits && byIndex(options.edits, names)
-  const { diagram, kinds, discs, vertices, ...trace } = library.trace(sorted, { ...options, edits })
+  const { diagram, kinds, discs, vertices, ...trace } = library.trace(circles, { ...options, edits })
   const named = trace.circles.map((i) => (i < 0 ? i : (names[i] as number)))
-  return { circles: sorted, ids, diagram, events: { kinds, discs, vertices, circles: named, numbers: trace.numbers } }
+  return { circles, ids, diagram, events: { kinds, discs, vertices, circles: named, numbers: trace.numbers } }
+}
+
+/** Computes the diagram of circles from scratch. */
+export function computed(library: CircleVoronoi, circles: Float64Array, options: Options): Computed {
+  try {
+    const { stats, certificate } = library.compute(circles, options)
+    return { stats, certificate }
+  } catch (error) {
+    if (!(error instanceof CircleVoronoiError)) throw error
+    return { problem: error.message }
+  }
 }
 
 /** Translates edits by id into edits by index. Inserted circles get the next indices and are added to `names`. */

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { CircleVoronoiError, postedError } from '../../lib/base/errors.ts'
+import type { Edit } from '../../lib/index.ts'
+import { transferring } from '../../lib/threads/answer-requests.ts'
+import type { CircleVoronoi } from '../../lib/wasm/library.ts'
+import type { Metrics } from '../../lib/wasm/metrics.ts'
+import type { Regions } from '../../lib/wasm/regions.ts'
+import type { KeptIds } from '../circle-table.ts'
+import type { PaintedLayers } from '../layers.ts'
+import type {
+  DomainChange,
+  EditedPicture,
+  Highlights,
+  Opened,
+  PainterEvents,
+  PaintRequest,
+  Patch,
+} from '../protocol.ts'
+import type { Style } from '../style.ts'
+import { PaintedScene } from './painted-scene.ts'
+import type { Scheduler } from './scheduler.ts'
+
+/** Pause after the last edit before long computations, in milliseconds. */
+const REST = 120
+/** The opening of circles that may differ from the confirmed ones. No edit is for them. */
+const UNKNOWN = -1
+
+/** The parts of the thread that all scenes share. */
+export interface SceneThread {
+  readonly scheduler: Scheduler
+  readonly regions: () => Promise<Regions>
+  readonly metrics: () => Promise<Metrics>
+  tell<Name extends keyof PainterEvents>(
+    event: Name,
+    data: Omit<PainterEvents[Name], 'scene'>,
+    transfer?: readonly Transferable[],
+  ): void
+}
+
+/** Answers the requests for one scene. */
+export class SceneAnswers {
+  readonly scene: PaintedScene
+  readonly #thread: SceneThread
+  /** Identifies the current circles. Edits for other circles are void. */
+  #opening = 0
+  #rest: ReturnType<typeof setTimeout> | undefined
+  /** Aborted when the global results that are being computed are outdated. */
+  #finding = new AbortController()
+
+  constructor(library: CircleVoronoi, thread: SceneThread) {
+    this.scene = new PaintedScene(library)
+    this.#thread = thread
+  }
+
+  async open(opening: number, circles: Float64Array, kept: KeptIds | undefined, change: DomainChange): Promise<Opened> {
+    const { scene } = this
+    const opened = scene.open(circles, change, await this.#regionsFor(change), kept)
+    this.#opening = opening
+    this.#thread.scheduler.restart(this)
+    this.#thread.scheduler.schedule()
+    this.#findAtRest()
+    return { counts: scene.counts(), ...opened }
+  }
+
+  async edit(opening: number, edits: readonly Edit[], change: DomainChange): Promise<EditedPicture | undefined> {
+    if (opening !== this.#opening) return undefined
+    const { scene } = this
+    const regions = await this.#regionsFor(change)
+    try {
+      const edited = scene.edit(edits, change, regions)
+      const { patches, found } = edited
+      if (scene.tiles.isWaiting) this.#thread.scheduler.schedule()
+      if (found === undefined || scene.isPowerMissing || scene.isMethodMissing) this.#findAtRest()
+      const grid = scene.tiles.viewport?.grid.id ?? -1
+      const picture = { kind: 'edited', grid, counts: scene.counts(), marks: scene.marks(), ...edited } as const
+      return transferring(picture, bitmapsOf(patches))
+    } catch (error) {
+      // The editor may have made the edit. The view opens the confirmed circles again.
+      if (isUnexpected(error)) this.#opening = UNKNOWN
+      throw error
+    }
+  }
+
+  look(request: PaintRequest, style: Style): void {
+    const { scene } = this
+    const { isElsewhere, isOtherScale } = scene.look({ ...request, style })
+    this.#thread.scheduler.schedule()
+    // Outlines are clipped to the viewport and have its precision.
+    if (isElsewhere) this.#tellOutlines()
+    if (isOtherScale && scene.isPathFound) this.#tellFound()
+  }
+
+  layers(layers: PaintedLayers, isPainted: boolean): void {
+    this.scene.setLayers(layers, isPainted)
+    // A layer limits cells.
+    if (isPainted) this.#tellOutlines()
+    this.#tellFound()
+  }
+
+  mark(selected: number | undefined, hovered: number | undefined): Highlights {
+    return this.scene.mark(selected, hovered)
+  }
+
+  close(): void {
+    clearTimeout(this.#rest)
+    this.#finding.abort()
+    this.scene.dispose()
+  }
+
+  /** Paints tiles until a time of `performance.now()`, and returns whether tiles are left. */
+  paint(end: number): boolean {
+    const { tiles } = this.scene
+    const patches: Patch[] = []
+    try {
+      while (tiles.isWaiting && performance.now() < end) patches.push(...tiles.paintNext())
+    } catch (error) {
+      // Other tiles would fail, too.
+      tiles.stop()
+      this.#fail(error)
+    }
+    if (patches.length > 0) {
+      const grid = tiles.viewport?.grid.id ?? -1
+      const paintId = tiles.viewport?.paintId ?? -1
+      const painted = { kind: 'painted', grid, patches, paintId, isWhole: !tiles.isWaiting } as const
+      this.#thread.tell('painted', painted, bitmapsOf(patches))
+    }
+    return tiles.isWaiting
+  }
+
+  /** Computes the visible layers of the method and of the power diagram. */
+  async addMissing(): Promise<void> {
+    const { scene } = this
+    if (scene.isMethodMissing) {
+      scene.addMethod()
+      this.#thread.scheduler.schedule()
+    }
+    if (!scene.isPowerMissing) return
+    const metrics = await this.#thread.metrics().catch(() => undefined)
+    // A module that fails to load leaves its layer empty. The next attempt may succeed.
+    if (metrics === undefined || !scene.isPowerMissing) return
+    scene.addPower(metrics)
+    this.#thread.scheduler.schedule()
+  }
+
+  /** The module for clipping and fitting, loaded on demand. */
+  async #regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
+    if ((region ?? undefined) === undefined && fit === undefined) return undefined
+    return this.#thread.regions()
+  }
+
+  #tellOutlines(): void {
+    if (this.scene.isAnythingMarked) this.#thread.tell('outlined', { marks: this.scene.marks() })
+  }
+
+  /** Fast searches follow while an end of the path is dragged. */
+  #tellFound(): void {
+    const { scene } = this
+    if (scene.isFoundQuickly && !scene.isPowerMissing && !scene.isMethodMissing) {
+      this.#thread.tell('found', { found: scene.find() })
+    } else {
+      this.#findAtRest()
+    }
+  }
+
+  /** Runs long computations once nothing has been edited for a while. */
+  #findAtRest(): void {
+    clearTimeout(this.#rest)
+    this.#finding.abort()
+    this.#finding = new AbortController()
+    const { signal } = this.#finding
+    this.#rest = setTimeout(async () => {
+      try {
+        await this.#find(signal)
+      } catch (error) {
+        if (!signal.aborted) this.#fail(error)
+      }
+    }, REST)
+  }
+
+  async #find(signal: AbortSignal): Promise<void> {
+    const { scene } = this
+    if (scene.isMethodMissing) {
+      scene.addMethod()
+      this.#thread.scheduler.schedule()
+    }
+    if (scene.isAnythingToFind) {
+      const found = await this.#thread.scheduler.run(this, () => scene.findInSteps(), signal)
+      this.#thread.tell('found', { found })
+    }
+    await this.addMissing()
+  }
+
+  #fail(error: unknown): void {
+    this.#thread.tell('failed', { error: postedError(error) })
+  }
+}
+
+function bitmapsOf(patches: readonly Patch[]): readonly ImageBitmap[] {
+  return patches.map(({ image }) => image)
+}
+
+function isUnexpected(error: unknown): boolean {
+  return !(error instanceof CircleVoronoiError) || error.code === 'internal'
+}
