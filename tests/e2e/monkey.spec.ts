@@ -66,12 +66,20 @@ async function expectPaintedRight(app: App): Promise<void> {
   await expectSame(app, before, await painted(app.page))
 }
 
-/** Expects that a new thread, which knows only the opened and the current circles, paints the same picture. */
+/** Expects that a new thread, which gets the state of the view, paints the same picture. */
 async function expectSameInNewThread(app: App): Promise<void> {
   await paintAnew(app)
   const before = await painted(app.page)
   const next = app.page.waitForEvent('worker')
-  await threadOf(app.page).evaluate(() => postMessage({ kind: 'failed', message: 'the test has ended it' }))
+  // The thread crashes at the next message.
+  await app.page.evaluate(() => {
+    const { postMessage } = Worker.prototype
+    Worker.prototype.postMessage = function () {
+      Worker.prototype.postMessage = postMessage
+      this.dispatchEvent(new ErrorEvent('error', { message: 'the test has ended it' }))
+    }
+  })
+  await paintAnew(app)
   await next
   await paintAnew(app)
   await expectSame(app, before, await painted(app.page))

@@ -42,7 +42,7 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   await threadOf(page).evaluate(() => {
     const thread = globalThis as unknown as { onmessage(event: MessageEvent): void }
     const hear = thread.onmessage
-    thread.onmessage = (event) => event.data.kind !== 'open' && hear(event)
+    thread.onmessage = (event) => event.data.name !== 'open' && hear(event)
   })
   await panel.getByLabel('Number of circles').fill('600')
   await panel.getByLabel('Number of circles').press('Enter')

@@ -70,7 +70,7 @@ export const failureFor = (reason: Reason): Error => new Failure((words) => word
 
 export const isDisposedOf: Reason = (words) => words.disposed
 
-/** All that can be asked about the circles of a view. */
+/** The questions and computations about the circles of a view. */
 export type Asked = Questions & Computations
 
 /** Questions that refer to circles by id or position. */
