@@ -49,6 +49,28 @@ for (const version of ['5.4.9', '6.4.6', '7.3.8']) {
   })
 }
 
+for (const [version, config] of [
+  ['6.4.6', "{ optimizeDeps: { exclude: ['circle-voronoi'] } }"],
+  ['8.3.8', '{}'],
+]) {
+  it(`Vite ${version}, with the WebAssembly that the page gives`, async () => {
+    const folder = projects.create(`vite-define-${version}`, [`vite@${version}`], {
+      'index.html': page('<script type="module" src="/main.js"></script>'),
+      'vite.config.js': `export default ${config}\n`,
+      'main.js': `import { defineCircleVoronoi } from 'circle-voronoi/element/define'
+import wasm from 'circle-voronoi/circle-voronoi.wasm?url'
+defineCircleVoronoi({ wasm: fetch(wasm).then((response) => { document.title = 'given'; return response }) })\n`,
+    })
+    const given = async (page) => assert.equal(await page.title(), 'given')
+    await withServer(
+      folder,
+      'vite',
+      (port) => ['--port', port, '--strictPort'],
+      (address) => useFigure(address, { afterwards: given }),
+    )
+  })
+}
+
 it('webpack 5.102', async () => {
   const folder = projects.create('webpack', ['webpack@5.102.1', 'webpack-cli@6.0.1'], { 'src/index.js': IMPORT })
   for (const mode of ['production', 'development']) {
