@@ -231,6 +231,19 @@ describe('an error in a request', () => {
   })
 })
 
+it('a region that cannot be loaded offline refuses its edit, and is loaded by the next one', async () => {
+  const painter = new Painter()
+  const [one, other] = [painter.add(listener([])), painter.add(listener([]))]
+  await Promise.all([one.open(TWO), other.open(TWO)])
+  vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')))
+  await expect(one.edit([], { region: [REGION] })).rejects.toMatchObject({ code: 'notLoaded' })
+  expect((await other.ask('tell', [[0]]))?.circles).toBe(2)
+  vi.stubGlobal('fetch', fetchHere)
+  expect((await one.edit([], { region: [REGION] })).counts.circles).toBe(2)
+  expect(ThreadHere.running.size).toBe(1)
+  painter.dispose()
+})
+
 describe('a thread that crashes', () => {
   async function begin() {
     vi.stubGlobal('Worker', CrashingThread)

@@ -17,6 +17,7 @@ import { PeriodicDiagram } from './diagram/periodic-diagram.ts'
 import createSphereModule from './generated/circle-voronoi-sphere.js'
 import type { Region } from './regions/region.ts'
 import type { RingArrays } from './regions/region-shape.ts'
+import { CancelableRequests } from './threads/cancelable-requests.ts'
 import { Channel, type ProgressOf, type RequestOptions } from './threads/channel.ts'
 import { EditorClient } from './threads/editor-client.ts'
 import { startThread } from './threads/thread.ts'
@@ -239,8 +240,7 @@ class Client implements CircleVoronoiWorker {
   #channel: Channel<WorkerRequests> | undefined
   /** Fulfilled when the last request has ended. */
   #last: Promise<unknown> = Promise.resolve()
-  /** The requests that have not ended. */
-  readonly #requests = new Set<AbortController>()
+  readonly #requests = new CancelableRequests()
   readonly #editors = new Set<EditorClient>()
   #isDisposed = false
 
@@ -349,7 +349,7 @@ class Client implements CircleVoronoiWorker {
   dispose(): void {
     this.#isDisposed = true
     for (const editor of this.#editors) editor.dispose()
-    for (const request of this.#requests) request.abort(disposed())
+    this.#requests.cancelAll(disposed())
     this.#channel?.end(disposed())
   }
 
@@ -364,38 +364,29 @@ class Client implements CircleVoronoiWorker {
     { signal, transfer, onProgress }: RequestOptions<ProgressOf<WorkerRequests[Name]>>,
   ): Promise<ReturnType<WorkerRequests[Name]>> {
     if (this.#isDisposed) throw disposed()
-    signal?.throwIfAborted()
-    const request = new AbortController()
-    const abort = () => request.abort(signal?.reason)
-    const onlyOnce = { once: true }
-    signal?.addEventListener('abort', abort, onlyOnce)
-    this.#requests.add(request)
-    const answered = this.#last.then(async () => {
-      request.signal.throwIfAborted()
-      const module = await this.#module()
-      request.signal.throwIfAborted()
-      const channel = this.#open(module)
-      // Only the end of the thread stops a computation.
-      request.signal.addEventListener('abort', () => channel.end(request.signal.reason), onlyOnce)
-      const listen = (progress: Parameters<NonNullable<typeof onProgress>>[0]) => {
-        try {
-          onProgress?.(progress)
-        } catch (error) {
-          request.abort(error)
+    return this.#requests.run(signal, (request) => {
+      const answer = this.#last.then(async () => {
+        request.signal.throwIfAborted()
+        const module = await this.#module()
+        request.signal.throwIfAborted()
+        const channel = this.#open(module)
+        // Only the end of the thread stops a computation.
+        request.signal.addEventListener('abort', () => channel.end(request.signal.reason))
+        const listen = (progress: Parameters<NonNullable<typeof onProgress>>[0]) => {
+          try {
+            onProgress?.(progress)
+          } catch (error) {
+            request.abort(error)
+          }
         }
-      }
-      return channel.request(name, args, { transfer, onProgress: onProgress && listen })
+        return channel.request(name, args, { transfer, onProgress: onProgress && listen })
+      })
+      this.#last = answer.catch(() => {})
+      const aborted = new Promise<never>((_, reject) => {
+        request.signal.addEventListener('abort', () => reject(request.signal.reason))
+      })
+      return Promise.race([answer, aborted])
     })
-    this.#last = answered.catch(() => {})
-    const aborted = new Promise<never>((_, reject) => {
-      request.signal.addEventListener('abort', () => reject(request.signal.reason), onlyOnce)
-    })
-    try {
-      return await Promise.race([answered, aborted])
-    } finally {
-      this.#requests.delete(request)
-      signal?.removeEventListener('abort', abort)
-    }
   }
 
   #open(module: CompiledWasm): Channel<WorkerRequests> {

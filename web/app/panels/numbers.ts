@@ -30,7 +30,10 @@ export function mountNumbers(store: Store<State>, view: View): void {
   const panel = byId('numbers', HTMLElement)
   let edited: Edited | undefined
   let distribution: Distribution | undefined
-  let computed: Computed | 'computing' | undefined
+  let computed: Computed | undefined
+  /** Aborts the computation that is running. */
+  let computing: AbortController | undefined
+  let measuring: AbortController | undefined
   let way = 0
   let rest: ReturnType<typeof setTimeout> | undefined
   let charts: readonly Histogram[] | undefined
@@ -54,10 +57,9 @@ export function mountNumbers(store: Store<State>, view: View): void {
   const folded = panelOf(panel, 'Numbers', draw, { onopen: measureAtRest })
 
   const measure = async () => {
-    const of = edited
-    const answer = await view.ask('measure', [])
-    // Drops an answer about former circles.
-    if (of !== edited || answer === undefined) return
+    measuring = new AbortController()
+    const answer = await view.ask('measure', [], measuring.signal)
+    if (answer === undefined) return
     distribution = answer
     draw()
   }
@@ -73,11 +75,20 @@ export function mountNumbers(store: Store<State>, view: View): void {
   }
 
   const compute = async () => {
-    const of = edited
-    computed = 'computing'
+    computed = undefined
+    computing = new AbortController()
+    const { signal } = computing
     draw()
-    const answer = await view.ask('compute', [(WAYS[way] as (typeof WAYS)[number])[1]])
-    computed = of === edited ? answer : undefined
+    const answer = await view.ask('compute', [(WAYS[way] as (typeof WAYS)[number])[1]], signal)
+    if (signal.aborted) return
+    computed = answer
+    computing = undefined
+    draw()
+  }
+
+  const cancel = () => {
+    computing?.abort()
+    computing = undefined
     draw()
   }
 
@@ -94,9 +105,12 @@ export function mountNumbers(store: Store<State>, view: View): void {
       >
         ${WAYS.map(([name], k) => html`<option ?selected=${k === way}>${name}</option>`)}
       </select>
-      <button type="button" ?disabled=${computed === 'computing'} @click=${compute}>Compute</button>
+      <button type="button" @click=${computing === undefined ? compute : cancel}>
+        ${computing === undefined ? 'Compute' : 'Cancel'}
+      </button>
     </div>
-    ${computed === undefined ? nothing : computed === 'computing' ? html`<p class="quiet">Computing …</p>` : resultOf(computed)}
+    ${computing === undefined ? nothing : html`<p class="quiet">Computing …</p>`}
+    ${computed === undefined ? nothing : resultOf(computed)}
   `
 
   store.subscribe((state) => {
@@ -104,6 +118,10 @@ export function mountNumbers(store: Store<State>, view: View): void {
     edited = state.edited
     distribution = undefined
     computed = undefined
+    // Answers about former circles are worth nothing.
+    measuring?.abort()
+    computing?.abort()
+    computing = undefined
     measureAtRest()
     draw()
   })
