@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { reasonOf } from '../lib/base/errors.ts'
+import { reasonOf, receivedError } from '../lib/base/errors.ts'
 import { Channel, type Functions, type ThreadEvents } from '../lib/threads/channel.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { webThread } from '../lib/threads/web-thread.ts'
@@ -11,6 +11,7 @@ import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type { ComputingRequests, PainterEvents, PainterRequests } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
 import {
+  asFailure,
   failureFor,
   isDisposedOf,
   type PictureEvents,
@@ -90,10 +91,13 @@ export class Painter {
         if (this.#channel === channel) this.#fail(reason)
       },
       {
-        painted: ({ scene, ...painted }) => this.#scenes.get(scene)?.receivePainted(painted),
-        found: ({ scene, found }) => this.#scenes.get(scene)?.receiveFound(found),
-        outlined: ({ scene, marks }) => this.#scenes.get(scene)?.receiveOutlines(marks),
-        failed: ({ scene, error }) => this.#scenes.get(scene)?.receiveFailure(error),
+        painted: ({ scene, ...painted }) => {
+          if (painted.isWhole) this.#hasWorked = true
+          this.#scenes.get(scene)?.events.painted(painted)
+        },
+        found: ({ scene, found }) => this.#scenes.get(scene)?.events.found(found),
+        outlined: ({ scene, marks }) => this.#scenes.get(scene)?.events.marked(marks),
+        failed: ({ scene, error }) => this.#scenes.get(scene)?.events.failed(asFailure(receivedError(error))),
       },
     )
     this.#channel = channel
@@ -132,7 +136,7 @@ export class Painter {
     if (isAgain) this.#start(true)
     if (!isTold) return
     const failure = new Failure((words) => words[isAgain ? 'drawingFailed' : 'drawingEnded'](reason(words)))
-    for (const scene of this.#scenes.values()) scene.fail(failure)
+    for (const { events } of this.#scenes.values()) events.failed(failure)
   }
 
   #end(failure: Error): void {

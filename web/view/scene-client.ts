@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { CircleVoronoiError, type PostedError, reasonOf, receivedError } from '../lib/base/errors.ts'
+import { CircleVoronoiError, reasonOf } from '../lib/base/errors.ts'
 import type { Edit, Point } from '../lib/index.ts'
 import { CancelableRequests } from '../lib/threads/cancelable-requests.ts'
 import type { Channel } from '../lib/threads/channel.ts'
@@ -16,7 +16,6 @@ import type {
   Highlights,
   Opened,
   Painted,
-  PaintedTiles,
   PainterRequests,
   PaintRequest,
   Questions,
@@ -85,7 +84,7 @@ type Followed = Omit<Opened, 'circles'> & { readonly change: CircleChange }
 /** The circles of one view in the painting thread, and the state that another thread gets after a crash. */
 export class SceneClient {
   readonly #scene: number
-  readonly #events: PictureEvents
+  readonly events: PictureEvents
   readonly #threads: SceneThreads
   readonly #requests = new CancelableRequests()
   #lastOpening = 0
@@ -101,7 +100,7 @@ export class SceneClient {
 
   constructor(scene: number, events: PictureEvents, threads: SceneThreads) {
     this.#scene = scene
-    this.#events = events
+    this.events = events
     this.#threads = threads
     this.#send('add', [scene])
   }
@@ -144,9 +143,9 @@ export class SceneClient {
     const args: Args<'edit'> = [this.#scene, this.#circles.opening, edits, change]
     return this.#change('edit', args, change, change.fit !== undefined, (edited) => {
       if (edited === undefined) throw new Superseded()
-      this.#events.marked(edited.marks)
-      this.#events.painted(edited)
-      this.#events.found(edited.found)
+      this.events.marked(edited.marks)
+      this.events.painted(edited)
+      this.events.found(edited.found)
       return edited
     })
   }
@@ -207,7 +206,7 @@ export class SceneClient {
     } catch (error) {
       if (!(error instanceof CircleVoronoiError)) return undefined
       if (!isUnexpected(error)) throw error
-      this.#events.failed(asFailure(error))
+      this.events.failed(asFailure(error))
       return undefined
     }
   }
@@ -244,7 +243,7 @@ export class SceneClient {
   /** Highlights circles. */
   mark(selected: number | undefined, hovered: number | undefined): void {
     const args: Args<'mark'> = [this.#scene, selected, hovered]
-    if (this.#send('mark', args, (marks) => this.#events.marked(marks))) this.#mark = args
+    if (this.#send('mark', args, (marks) => this.events.marked(marks))) this.#mark = args
   }
 
   /**
@@ -260,7 +259,7 @@ export class SceneClient {
     const answer = this.#threads.channel()?.request(name, args)
     answer?.then(use).catch((error) => {
       // Other errors have ended the thread, which is told once.
-      if (error instanceof CircleVoronoiError && !this.#isClosed) this.#events.failed(asFailure(error))
+      if (error instanceof CircleVoronoiError && !this.#isClosed) this.events.failed(asFailure(error))
     })
     return true
   }
@@ -286,27 +285,6 @@ export class SceneClient {
     if (this.#look !== undefined) this.#send('look', this.#look)
     if (this.#mark !== undefined) this.mark(this.#mark[1], this.#mark[2])
   }
-
-  receivePainted(painted: PaintedTiles): void {
-    if (painted.isWhole) this.#threads.worked()
-    this.#events.painted(painted)
-  }
-
-  receiveFound(found: GlobalResults): void {
-    this.#events.found(found)
-  }
-
-  receiveOutlines(marks: Highlights): void {
-    this.#events.marked(marks)
-  }
-
-  receiveFailure(error: PostedError): void {
-    this.#events.failed(asFailure(receivedError(error)))
-  }
-
-  fail(failure: Failure): void {
-    this.#events.failed(failure)
-  }
 }
 
 /** Whether an error is a fault of the program and not of its input. */
@@ -315,7 +293,7 @@ function isUnexpected(error: unknown): boolean {
 }
 
 /** Explains an unexpected error. Other errors explain themselves. */
-function asFailure(error: unknown): Error {
+export function asFailure(error: unknown): Error {
   if (!isUnexpected(error)) return error as Error
   return new Refusal(ENGLISH_REFUSALS, (words) => words.notComputed(reasonOf(error)), 'internal')
 }

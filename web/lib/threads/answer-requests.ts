@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { postedError } from '../base/errors.ts'
-import { nodeModule } from '../base/node.ts'
 import type { FromThread, Functions, ProgressOf, ToThread } from './channel.ts'
 
 /** The circumstances of a request. */
@@ -21,7 +20,7 @@ export type Answers<Requests extends Functions<Requests>> = {
 }
 
 /** The common interface of Node's parent port and the global scope of a browser's worker. */
-interface Port {
+export interface Port {
   onmessage: ((event: { readonly data: ToThread }) => void) | null
   postMessage(message: FromThread, transfer: readonly Transferable[]): void
 }
@@ -40,9 +39,8 @@ export function transferring<Answer extends object>(answer: Answer, transfer: re
  */
 export function answerRequests<Requests extends Functions<Requests>, Events extends object = object>(
   answers: Answers<Requests>,
+  port = globalThis as unknown as Port,
 ): <Name extends keyof Events>(event: Name, data: Events[Name], transfer?: readonly Transferable[]) => void {
-  const nodePort = nodeModule('node:worker_threads')?.parentPort
-  const port = (nodePort ?? globalThis) as unknown as Port
   const running = new Map<number, AbortController>()
 
   port.onmessage = async ({ data: message }) => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { loadedOnce } from '../base/loaded-once.ts'
+import { nodeModule } from '../base/node.ts'
 import createMetricsModule from '../generated/circle-voronoi-metrics.js'
 import createRegionsModule from '../generated/circle-voronoi-regions.js'
 import createSphereModule from '../generated/circle-voronoi-sphere.js'
@@ -11,7 +12,7 @@ import { metricsOf } from '../wasm/metrics.ts'
 import { regionsOf } from '../wasm/regions.ts'
 import { spheresOf } from '../wasm/sphere.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
-import { type Answers, answerRequests, transferring } from './answer-requests.ts'
+import { type Answers, answerRequests, type Port, transferring } from './answer-requests.ts'
 import {
   type ComputeProgress,
   EDITOR_METHODS,
@@ -36,7 +37,7 @@ export function answerWorker(): void {
   }
   const calls = Object.fromEntries(EDITOR_METHODS.map((method) => [method, callsOf(method)]))
 
-  answerRequests<WorkerRequests & EditorRequests>({
+  const answers: Answers<WorkerRequests & EditorRequests> = {
     start: ([module]) => {
       library = circleVoronoiOf(module)
       // Each request awaits the library and reports its failure, so the failure is not unhandled.
@@ -73,7 +74,9 @@ export function answerWorker(): void {
       return withMemory(editor.snapshot())
     },
     ...(calls as unknown as Pick<Answers<EditorRequests>, EditorMethod>),
-  })
+  }
+  const nodePort = nodeModule('node:worker_threads')?.parentPort
+  answerRequests(answers, (nodePort ?? globalThis) as unknown as Port)
 }
 
 function optionsOf({ options, metric }: HowComputed, tell: ((progress: ComputeProgress) => void) | undefined) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import { loadedOnce } from '../../lib/base/loaded-once.ts'
 import { type Answers, answerRequests } from '../../lib/threads/answer-requests.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../../lib/wasm/library.ts'
@@ -17,6 +16,7 @@ type SceneRequest = Exclude<keyof PainterRequests, 'start' | 'add'>
 /** The requests for one scene besides questions. */
 const SCENE_REQUESTS = ['open', 'edit', 'look', 'layers', 'mark', 'close'] as const
 const QUESTIONS = Object.keys(answers) as (keyof typeof answers)[]
+const isQuestion = (name: SceneRequest): name is keyof typeof answers => name in answers
 
 /** Answers the requests of a `Painter`. Runs in the thread that calls it. */
 export function answerViews(): void {
@@ -40,33 +40,21 @@ export function answerViews(): void {
     last = done.catch(() => {})
     return done
   }
-  const sceneOf = (number: number): SceneAnswers => {
-    const scene = scenes.get(number)
-    if (scene === undefined) throw new CircleVoronoiError('internal', 'The scene has been closed.')
-    return scene
-  }
-
-  const requests = SCENE_REQUESTS.map((name) => {
-    const act = ([number, ...args]: readonly [number, ...unknown[]]) =>
-      inOrder(() => {
-        const scene = sceneOf(number)
+  const answersByName = [...SCENE_REQUESTS, ...QUESTIONS].map((name) => {
+    const answer = async ([number, ...args]: readonly [number, ...unknown[]], { signal }: { signal: AbortSignal }) => {
+      const found = await inOrder(async () => {
+        const scene = scenes.get(number) as SceneAnswers
         if (name === 'close') scenes.delete(number)
-        return (scene[name] as (...args: readonly unknown[]) => unknown)(...args)
-      })
-    return [name, act]
-  })
-  const questions = QUESTIONS.map((name) => {
-    const act = async ([number, ...args]: readonly [number, ...unknown[]], { signal }: { signal: AbortSignal }) => {
-      const answer = await inOrder(async () => {
-        const scene = sceneOf(number)
         // A picture contains all layers.
         if (name === 'svg' || name === 'image') await scene.addMissing()
-        return (answers[name] as (...args: readonly unknown[]) => unknown)(scene.scene, ...args)
+        return isQuestion(name)
+          ? (answers[name] as (...args: readonly unknown[]) => unknown)(scene.scene, ...args)
+          : (scene[name] as (...args: readonly unknown[]) => unknown)(...args)
       })
-      const isLong = typeof answer === 'function'
-      return isLong ? scheduler.run(sceneOf(number), answer as Steps<unknown>, signal) : answer
+      // Later requests do not wait for long work.
+      return typeof found === 'function' ? scheduler.run(scenes.get(number), found as Steps<unknown>, signal) : found
     }
-    return [name, act]
+    return [name, answer]
   })
 
   const tell = answerRequests<PainterRequests & ComputingRequests, PainterEvents>({
@@ -83,7 +71,7 @@ export function answerViews(): void {
         }
         scenes.set(number, new SceneAnswers(await library, thread))
       }),
-    ...(Object.fromEntries([...requests, ...questions]) as Pick<Answers<PainterRequests>, SceneRequest>),
+    ...(Object.fromEntries(answersByName) as Pick<Answers<PainterRequests>, SceneRequest>),
     compute: async ([circles, , options]) => computed(await library, circles, options),
     trace: async ([circles, ids, options]) => traced(await library, circles, ids, options),
   })
