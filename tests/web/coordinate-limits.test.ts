@@ -3,20 +3,11 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import * as limits from '../../web/lib/base/coordinate-limits.ts'
-import { type CircleVoronoiError, fromJSON } from '../../web/lib/index.ts'
+import { fromJSON } from '../../web/lib/index.ts'
+import { problemOf } from './errors.ts'
 import { library } from './library.ts'
 
 const header = readFileSync(new URL('../../cpp/include/circle_voronoi/limits.h', import.meta.url), 'utf8')
-
-function problemOf(run: () => unknown): string | undefined {
-  try {
-    run()
-  } catch (error) {
-    const { code, message } = error as CircleVoronoiError
-    return `${code}: ${message}`
-  }
-  return undefined
-}
 
 /** A constant of the header: a power of two, or a text. */
 function constant(name: string): number | string | undefined {
