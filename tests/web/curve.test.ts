@@ -74,28 +74,6 @@ describe('bisector', () => {
     )
   })
 
-  it('has the left circle on its left', () => {
-    const branch = bisector(Float64Array.of(-1, 0, 0, 1, 0, 0), 0, 1)
-    expect(pointAt(branch, 2).y).toBeGreaterThan(pointAt(branch, 0.5).y)
-  })
-
-  it('bends around the smaller circle', () => {
-    const branch = bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1)
-    expect(pointAt(branch, 1)).toEqual({ x: 0.5, y: 0 })
-    expect(pointAt(branch, 9).x).toBeGreaterThan(0.5)
-    expect(pointAt(branch, 1 / 9).x).toBeGreaterThan(0.5)
-  })
-
-  it('has the centers as foci and the difference of the radii as 2 a', () => {
-    expect(bisector(Float64Array.of(-2, 1, 4, 3, 1, 1), 0, 1)).toMatchObject({
-      left: { x: -2, y: 1 },
-      right: { x: 3, y: 1 },
-      a: 1.5,
-      b: 2,
-      apex: 1,
-    })
-  })
-
   it('is finite where two circles touch from inside up to rounding', () => {
     const branch = bisector(Float64Array.of(0, 0, 1, 0.5, 0, 0.5), 0, 1)
     expect(branch.b).toBeGreaterThan(0)
@@ -132,12 +110,6 @@ describe('bisector', () => {
         expect(pointAt(branch, s).x / p.x).toBeCloseTo(1, 12)
       }
     }
-  })
-
-  it('is the radical axis for the metric power, and the perpendicular bisector for centers', () => {
-    const circles = Float64Array.of(0, 0, 3, 10, 0, 1)
-    expect(pointAt(bisector(circles, 0, 1, 'power'), 5).x).toBeCloseTo(5.4, 12)
-    expect(pointAt(bisector(circles, 0, 1, 'centers'), 5).x).toBeCloseTo(5, 12)
   })
 })
 
