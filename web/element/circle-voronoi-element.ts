@@ -1126,17 +1126,19 @@ export interface CircleVoronoiElement {
    */
   get view(): LinkView | undefined
   set view(view: CircleVoronoiProps['view'])
-  /** Adds a listener, with the types of the events of this element. */
+  /** Adds a listener for an event of this element. */
   addEventListener<Name extends keyof CircleVoronoiEventMap>(
     name: Name,
     listener: (this: CircleVoronoiElement, event: CircleVoronoiEventMap[Name]) => void,
     options?: boolean | AddEventListenerOptions,
   ): void
+  /** Adds a listener for an event that all elements have. */
   addEventListener<Name extends keyof HTMLElementEventMap>(
     name: Name,
     listener: (this: CircleVoronoiElement, event: HTMLElementEventMap[Name]) => void,
     options?: boolean | AddEventListenerOptions,
   ): void
+  /** Adds a listener for an event of any name. */
   addEventListener(
     name: string,
     listener: EventListenerOrEventListenerObject,

@@ -169,7 +169,8 @@ export class Frame {
         this.#figure.view = undefined
       })
     }
-    if (this.#naturalHeight() !== this.#height) this.#tell()
+    // A pending report has the height, too.
+    if (!this.#isWaiting && this.#naturalHeight() !== this.#height) this.#tell()
   }
 
   /** Whether all circles are visible. They then stay visible while the size changes. */
