@@ -430,7 +430,7 @@ export class CircleVoronoiElement extends Base {
     return this.#figure?.step ?? this.#value('step')
   }
 
-  set step(step: CircleVoronoiProps['step']) {
+  set step(step: number | undefined | null) {
     // Removing a missing attribute causes no callback.
     if (!isSet(step) && !this.hasAttribute('step')) this.#play(undefined)
     else this.#set('step', step)
@@ -1116,7 +1116,7 @@ export interface CircleVoronoiElement {
   set region(region: CircleVoronoiProps['region'])
   /** The number of samples of the touching disc method, as in the options of the library. */
   get samples(): number | undefined
-  set samples(samples: CircleVoronoiProps['samples'])
+  set samples(samples: number | undefined | null)
   /** The address of a file of circles (CSV, JSON or GeoJSON), or a link to the playground. */
   get src(): string
   set src(src: CircleVoronoiProps['src'])
