@@ -193,6 +193,8 @@ TEST_F(CliTreemap, NamesTheRowOfAnError) {
   fails(write("none.csv", "land,town,people\n") + options_, "none.csv: There are no rows.");
   fails(people_ + " --path nation --values people",
         "people.csv:1: no column is called nation, only land, people, town.");
+  fails(write("people.json", "[\n{\"land\":1},\n{\"town\":2,\"people\":3}]") + " --path town,nation --values people",
+        "people.json:2: no member is called nation, only land.");
 }
 
 TEST_F(CliTreemap, RefusesOptionsThatDoNotGoTogether) {

@@ -33,7 +33,8 @@ struct Table {
 /// FeatureCollection. `readCircleFile` describes the formats, and the type of the values of a table. Names are
 /// case-insensitive. Strings have the same bytes if their texts are the same.
 ///
-/// `name` is what errors call the text. Errors: badInput; messages start with `name:line:`.
+/// `name` is what errors call the text. Errors: badInput, also for a column that the first line or all objects lack;
+/// messages start with `name:line:`.
 CIRCLE_VORONOI_API Result<Table> readTable(std::string_view text, std::string_view name,
                                            std::span<const std::string> columns);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -68,33 +69,57 @@ ParsedRows readFeatures(JsonReader& reader, std::string_view text) {
   return *std::move(rows);
 }
 
+/// Returns a value with one spelling for each string.
+std::string respelled(std::string_view value) {
+  return value.starts_with('"') ? jsonString(JsonReader(value).string()) : oneLine(value);
+}
+
+/// Returns the columns of rows. A row without a value has null; if it has several of one name, the first counts.
+std::vector<Column> columnsOf(const ParsedRows& rows, std::span<const std::string> names) {
+  std::vector<Column> columns;
+  for (const std::string& name : names) {
+    columns.push_back({name, std::vector<std::string>(rows.properties.size(), "null")});
+  }
+  for (std::size_t row = 0; row < rows.properties.size(); ++row) {
+    std::vector<bool> areFound(names.size());
+    visitMembers(rows.properties[row], [&](std::string_view name, std::string_view value) {
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        if (areFound[k] || !isNameOfColumn(name, names[k])) continue;
+        columns[k].values[row] = respelled(value);
+        areFound[k] = true;
+      }
+    });
+  }
+  return columns;
+}
+
+/// Refuses a name that no object has.
+void checkMembers(const ParsedRows& rows, std::span<const std::string> names) {
+  if (rows.properties.empty()) return;
+  for (const std::string& name : names) {
+    const auto hasName = [&](const std::string& members) {
+      bool isFound = false;
+      visitMembers(members, [&](std::string_view other, std::string_view) { isFound |= isNameOfColumn(other, name); });
+      return isFound;
+    };
+    if (std::any_of(rows.properties.begin(), rows.properties.end(), hasName)) continue;
+    std::string known;
+    visitMembers(rows.properties.front(), [&](std::string_view other, std::string_view) {
+      known += (known.empty() ? ", only " : ", ") + std::string(other);
+    });
+    throw ReadError{rows.offsets.front(), "no member is called " + name + known + "."};
+  }
+}
+
+/// Reads rows once. A column must be named by the first line of a table, or by an object.
 ParsedRows readRows(std::string_view text, std::span<const std::string> columns) {
   const char begin = firstOf(text);
   if (begin != '[' && begin != '{') return readCsvRows(text, columns);
   JsonReader reader(text);
   ParsedRows rows = begin == '[' ? readObjects(reader, text) : readFeatures(reader, text);
   reader.finish();
+  checkMembers(rows, columns);
   return rows;
-}
-
-/// Returns a value with one spelling for each string.
-std::string respelled(std::string_view value) {
-  return value.starts_with('"') ? jsonString(JsonReader(value).string()) : oneLine(value);
-}
-
-Column columnOf(const std::vector<std::string>& properties, const std::string& column) {
-  Column result{column};
-  for (const std::string& members : properties) {
-    std::string found = "null";
-    bool isFound = false;
-    visitMembers(members, [&](std::string_view name, std::string_view value) {
-      if (isFound || !isNameOfColumn(name, column)) return;
-      found = respelled(value);
-      isFound = true;
-    });
-    result.values.push_back(std::move(found));
-  }
-  return result;
 }
 
 }  // namespace
@@ -105,10 +130,7 @@ Result<Table> readTable(std::string_view text, std::string_view name, std::span<
     if (!content) return content.error();
     try {
       const ParsedRows rows = readRows(content.value(), columns);
-      Table table;
-      for (const std::string& column : columns) table.columns.push_back(columnOf(rows.properties, column));
-      table.lines = linesAt(content.value(), rows.offsets);
-      return table;
+      return Table{columnsOf(rows, columns), linesAt(content.value(), rows.offsets)};
     } catch (const ReadError& failure) {
       return errorAt(name, content.value(), failure);
     }
