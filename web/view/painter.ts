@@ -5,7 +5,6 @@ import { Channel, type Functions, type ThreadEvents } from '../lib/threads/chann
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { webThread } from '../lib/threads/web-thread.ts'
 import { compileCircleVoronoi } from '../lib/wasm/load-options.ts'
-import { ComputingThreads } from './computing-threads.ts'
 import { type FigureLoadOptions, otherModules } from './load.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type { ComputingRequests, PainterEvents, PainterRequests } from './protocol.ts'
@@ -29,11 +28,6 @@ export class Painter {
   readonly #options: FigureLoadOptions
   readonly #scenes = new Map<number, SceneClient>()
   #channel: Channel<PainterRequests, PainterEvents> | undefined
-  readonly #computing = new ComputingThreads(() => {
-    const fail = (reason: Reason) => channel.end(failureFor(reason))
-    const channel = this.#open<ComputingRequests, object>(fail, {})
-    return channel
-  })
   /** Whether the thread has painted a picture or answered a view. */
   #hasWorked = false
   /** Whether the thread continues after a crash. */
@@ -51,7 +45,13 @@ export class Painter {
       this.#end(new Superseded())
       this.#start(false)
     },
-    compute: (...request) => this.#computing.request(...request),
+    compute: async (name, args, signal) => {
+      const fail = (reason: Reason) => channel.end(failureFor(reason))
+      const channel = this.#open<ComputingRequests, object>(fail, {})
+      const cancel = () => channel.end(signal.reason)
+      signal.addEventListener('abort', cancel)
+      return channel.request(name, args).finally(cancel)
+    },
     worked: () => {
       this.#hasWorked = true
     },
@@ -78,10 +78,8 @@ export class Painter {
   /** Terminates the thread, and with it all views. */
   dispose(): void {
     this.#isDisposed = true
-    const failure = failureFor(isDisposedOf)
-    this.#end(failure)
+    this.#end(failureFor(isDisposedOf))
     for (const scene of this.#scenes.values()) scene.close()
-    this.#computing.dispose(failure)
   }
 
   /** @throws Failure if threads cannot be started */

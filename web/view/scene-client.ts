@@ -5,11 +5,11 @@ import type { Edit, Point } from '../lib/index.ts'
 import { CancelableRequests } from '../lib/threads/cancelable-requests.ts'
 import type { Channel } from '../lib/threads/channel.ts'
 import { type CircleChange, CircleTable, type Hit, type KeptIds, NO_CHANGE } from './circle-table.ts'
-import type { ComputingThreads } from './computing-threads.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { PaintedLayers } from './layers.ts'
 import type {
   Computations,
+  ComputingRequests,
   DomainChange,
   Fitted,
   GlobalResults,
@@ -56,7 +56,12 @@ export interface SceneThreads {
   begin(): Channel<PainterRequests>
   /** Replaces the painting thread, and rejects all pending requests with `Superseded`. */
   restart(): void
-  readonly compute: ComputingThreads['request']
+  /** Runs a computation in a thread of its own, because it cannot be divided into steps. `signal` ends it at once. */
+  compute<Name extends keyof Computations>(
+    name: Name,
+    args: Parameters<ComputingRequests[Name]>,
+    signal: AbortSignal,
+  ): Promise<ReturnType<ComputingRequests[Name]>>
   /** Notes that the painting thread has completed something. */
   worked(): void
   remove(scene: number): unknown
@@ -214,8 +219,7 @@ export class SceneClient {
   async #answerTo(name: keyof Asked, args: readonly unknown[], signal: AbortSignal): Promise<unknown> {
     if (name === 'compute' || name === 'trace') {
       const [options] = args as Parameters<Asked[typeof name]>
-      const circles = this.#circles.circles()
-      return this.#threads.compute(name, [circles, Int32Array.from(this.#circles.ids()), options], signal)
+      return this.#threads.compute(name, [this.#circles.circles(), this.#circles.ids(), options], signal)
     }
     return this.#threads.channel()?.request(name, [this.#scene, ...args] as never, { signal })
   }

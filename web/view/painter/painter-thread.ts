@@ -29,9 +29,10 @@ export function answerViews(): void {
   const metrics = loadedOnce(async () => metricsFor(await library, others))
   const regions = loadedOnce(() => regionsFrom(others))
   const scheduler = new Scheduler((end) => {
-    for (const scene of scenes.values()) scene.paint(end)
+    let isLeft = false
     // A scene may be waiting after another one has used the time.
-    return [...scenes.values()].some(({ scene }) => scene.tiles.isWaiting)
+    for (const scene of scenes.values()) isLeft = scene.paint(end) || isLeft
+    return isLeft
   })
   let last: Promise<unknown> = Promise.resolve()
   /** Handles requests in their order, although the first ones wait for the library. */
@@ -66,7 +67,9 @@ export function answerViews(): void {
     add: ([number]) =>
       inOrder(async () => {
         const thread: SceneThread = {
-          ...{ scheduler, regions, metrics },
+          scheduler,
+          regions,
+          metrics,
           tell: (event, data, transfer) => tell(event, { scene: number, ...data } as never, transfer),
         }
         scenes.set(number, new SceneAnswers(await library, thread))

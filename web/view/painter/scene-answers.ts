@@ -130,11 +130,8 @@ export class SceneAnswers {
 
   /** Computes the visible layers of the method and of the power diagram. */
   async addMissing(): Promise<void> {
+    this.#addMethod()
     const { scene } = this
-    if (scene.isMethodMissing) {
-      scene.addMethod()
-      this.#thread.scheduler.schedule()
-    }
     if (!scene.isPowerMissing) return
     const metrics = await this.#thread.metrics().catch(() => undefined)
     // A module that fails to load leaves its layer empty. The next attempt may succeed.
@@ -169,21 +166,19 @@ export class SceneAnswers {
     this.#finding.abort()
     this.#finding = new AbortController()
     const { signal } = this.#finding
-    this.#rest = setTimeout(async () => {
-      try {
-        await this.#find(signal)
-      } catch (error) {
-        if (!signal.aborted) this.#fail(error)
-      }
-    }, REST)
+    const fail = (error: unknown) => signal.aborted || this.#fail(error)
+    this.#rest = setTimeout(() => this.#find(signal).catch(fail), REST)
+  }
+
+  #addMethod(): void {
+    if (!this.scene.isMethodMissing) return
+    this.scene.addMethod()
+    this.#thread.scheduler.schedule()
   }
 
   async #find(signal: AbortSignal): Promise<void> {
+    this.#addMethod()
     const { scene } = this
-    if (scene.isMethodMissing) {
-      scene.addMethod()
-      this.#thread.scheduler.schedule()
-    }
     if (scene.isAnythingToFind) {
       const found = await this.#thread.scheduler.run(this, () => scene.findInSteps(), signal)
       this.#thread.tell('found', { found })
