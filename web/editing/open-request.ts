@@ -20,12 +20,15 @@ export interface OpenRequest extends CircleSet {
  * whose region the state may replace or remove.
  */
 export function requestOf(state: LinkState, named?: CircleSet): OpenRequest {
-  const { circles = new Float64Array(), edits, view, layers, step, method, region, lattice, areas } = state
-  const { colors, headings } = state
+  const { circles = new Float64Array(), region, lattice, areas, colors, headings, edits, view, layers } = state
   const attributes = attributesOfLink(state, circles.length / 3)
-  const set = named ?? { circles, headings, dataSet: '', isEdited: false, ...(attributes && { attributes }) }
-  const hasDomain = region !== undefined || lattice !== undefined || areas !== undefined
-  const shown = region === undefined ? named?.domain?.region : (region ?? undefined)
-  const domain = hasDomain ? { region: shown, lattice: lattice ?? undefined, areas } : named?.domain
-  return { ...set, domain, colors, edits, view, layers, ...('step' in state && { step, method }) }
+  const { domain, ...set } = named ?? { circles, headings, attributes, dataSet: '', isEdited: false }
+  const hasOwn = region !== undefined || lattice !== undefined || areas !== undefined
+  const own = {
+    region: region === undefined ? domain?.region : (region ?? undefined),
+    lattice: lattice ?? undefined,
+    areas,
+  }
+  const played = 'step' in state && { step: state.step, method: state.method }
+  return { ...set, domain: hasOwn ? own : domain, colors, edits, view, layers, ...played }
 }
