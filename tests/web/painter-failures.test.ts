@@ -114,6 +114,7 @@ const listener = (failures: unknown[]): PictureEvents => ({
   painted() {},
   marked() {},
   found() {},
+  reopened() {},
   failed: (failure) => failures.push(failure),
 })
 
@@ -252,15 +253,19 @@ describe('a thread that crashes', () => {
     const told: Error[] = []
     const marked: (number | undefined)[] = []
     const painter = new Painter()
+    const show = () => {
+      scene.setLayers(layers)
+      scene.look(request, STYLE)
+      scene.mark(1, undefined)
+    }
     const scene = painter.add({
       ...listener([]),
+      reopened: () => show(),
       marked: ({ selected }) => marked.push(selected?.id),
       failed: (failure) => told.push(failure),
     })
     await scene.open(TWO)
-    scene.setLayers(layers)
-    scene.look(request, STYLE)
-    scene.mark(1, undefined)
+    show()
     await quiet()
     return { painter, scene, told, marked }
   }

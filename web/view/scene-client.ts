@@ -44,6 +44,8 @@ export interface PictureEvents {
   marked(marks: Highlights): void
   /** `undefined`: the results belong to former circles, and new ones will follow. */
   found(found: GlobalResults | undefined): void
+  /** The circles have been sent again. The layers, the viewport and the highlights are to follow. */
+  reopened(): void
   /** Something failed that no request asked for. */
   failed(failure: Error): void
 }
@@ -86,7 +88,7 @@ type Args<Name extends keyof PainterRequests> = Parameters<PainterRequests[Name]
 
 type Followed = Omit<Opened, 'circles'> & { readonly change: CircleChange }
 
-/** The circles of one view in the painting thread, and the state that another thread gets after a crash. */
+/** The circles of one view in the painting thread. Another thread gets them after a crash. */
 export class SceneClient {
   readonly #scene: number
   readonly events: PictureEvents
@@ -99,9 +101,6 @@ export class SceneClient {
   #circles = new CircleTable(new Float64Array())
   /** `fit` is left out, because the circles already have their fitted radii. */
   #domain: DomainChange = {}
-  #look: Args<'look'> | undefined
-  #mark: Args<'mark'> | undefined
-  #layers: Args<'layers'> | undefined
 
   constructor(scene: number, events: PictureEvents, threads: SceneThreads) {
     this.#scene = scene
@@ -132,8 +131,6 @@ export class SceneClient {
     this.#lastOpening += 1
     const opening = this.#lastOpening
     return this.#change('open', [this.#scene, opening, circles, kept, change], change, true, (opened) => {
-      // The highlighted ids belonged to former circles.
-      this.#mark = undefined
       this.#circles = new CircleTable(opened.circles ?? circles.slice(), opening, kept)
       return { ...opened, change: NO_CHANGE }
     })
@@ -225,47 +222,39 @@ export class SceneClient {
   }
 
   look(request: PaintRequest, style: Style): void {
-    const args: Args<'look'> = [this.#scene, request, style]
-    if (this.#send('look', args)) this.#look = args
+    this.#send('look', [this.#scene, request, style])
   }
 
   /** Sets the layers. The next `look` paints them. */
   setLayers(layers: PaintedLayers): void {
-    this.#setLayers(layers, true)
+    this.#send('layers', [this.#scene, layers, true])
   }
 
   /** Sets layers that change only results for all circles, so that nothing is repainted. */
   findAgain(layers: PaintedLayers): void {
-    this.#setLayers(layers, false)
-  }
-
-  #setLayers(layers: PaintedLayers, isPainted: boolean): void {
-    const args: Args<'layers'> = [this.#scene, layers, isPainted]
-    if (this.#send('layers', args)) this.#layers = args
+    this.#send('layers', [this.#scene, layers, false])
   }
 
   /** Highlights circles. */
   mark(selected: number | undefined, hovered: number | undefined): void {
-    const args: Args<'mark'> = [this.#scene, selected, hovered]
-    if (this.#send('mark', args, (marks) => this.events.marked(marks))) this.#mark = args
+    this.#send('mark', [this.#scene, selected, hovered], (marks) => this.events.marked(marks))
   }
 
   /**
-   * Sends a request whose error is an event. Returns false if the scene is closed.
-   * @throws DOMException if the arguments cannot be sent. Nobody must keep them, or each later attempt would fail
+   * Sends a request whose error is an event, unless the scene is closed.
+   * @throws DOMException if the arguments cannot be sent
    */
   #send<Name extends keyof PainterRequests>(
     name: Name,
     args: Args<Name>,
     use: (answer: ReturnType<PainterRequests[Name]>) => void = () => {},
-  ): boolean {
-    if (this.#isClosed) return false
+  ): void {
+    if (this.#isClosed) return
     const answer = this.#threads.channel()?.request(name, args)
     answer?.then(use).catch((error) => {
       // Other errors have ended the thread, which is told once.
       if (error instanceof CircleVoronoiError && !this.#isClosed) this.events.failed(asFailure(error))
     })
-    return true
   }
 
   /** Closes the scene. Pending and later requests are rejected. */
@@ -276,7 +265,7 @@ export class SceneClient {
     this.#requests.cancelAll(failureFor(isDisposedOf))
   }
 
-  /** Sends the whole state to a new thread. */
+  /** Adds the scene to a new thread. */
   restore(): void {
     this.#send('add', [this.#scene])
     this.#reopen()
@@ -284,10 +273,8 @@ export class SceneClient {
 
   #reopen(): void {
     const { opening, keptIds } = this.#circles
-    if (this.#layers !== undefined) this.#send('layers', this.#layers)
     this.#send('open', [this.#scene, opening, this.#circles.circles(), keptIds, this.#domain])
-    if (this.#look !== undefined) this.#send('look', this.#look)
-    if (this.#mark !== undefined) this.mark(this.#mark[1], this.#mark[2])
+    this.events.reopened()
   }
 }
 

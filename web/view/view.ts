@@ -33,7 +33,7 @@ import { Screen } from './screen.ts'
 import type { Store } from './store.ts'
 import type { Style } from './style.ts'
 import { MOST_ENLARGED, TileBuffer } from './tile-buffer.ts'
-import { selectedIn, type ViewState } from './view-state.ts'
+import { INITIAL_VIEW, selectedIn, type ViewState } from './view-state.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const SHARPENING_DELAY = 80
@@ -131,17 +131,26 @@ export class View {
         this.#events.tell('marked', highlights)
       },
       found: (found) => this.#findingChanges(found),
+      reopened: () => {
+        this.#drawLayers()
+        this.#mark()
+      },
       failed: (error) => this.#events.tell('failed', error),
     })
-    let [selected, hovered]: (number | undefined)[] = []
+    let marked: Pick<ViewState, 'selection' | 'hovered'> = INITIAL_VIEW
     const mark = (state: ViewState) => {
-      if (selectedIn(state) === selected && state.hovered === hovered) return
-      selected = selectedIn(state)
-      hovered = state.hovered
-      this.#scene.mark(selected, hovered)
+      const isSame = selectedIn(state) === selectedIn(marked) && state.hovered === marked.hovered
+      marked = state
+      if (!isSame) this.#mark()
     }
     this.#unsubscribe = [store.watch((state, before) => this.#follow(state, before)), store.subscribe(mark)]
     this.#drawAll()
+  }
+
+  /** Asks for the descriptions of the selected and the hovered circle. */
+  #mark(): void {
+    const state = this.#store.get()
+    this.#scene.mark(selectedIn(state), state.hovered)
   }
 
   /** Changes the state. `#follow` draws it. */
