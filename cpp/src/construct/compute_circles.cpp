@@ -10,6 +10,7 @@
 #include "diagram_of.h"
 #include "guarded.h"
 #include "stopwatch.h"
+#include "touching_disc_diagram.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -48,8 +49,11 @@ Result<Diagram> computeWith(std::span<const Circle> circles, const Options& opti
   if (!valid) return valid.error();
   stats.method = options.method;
   stats.counts.circles = static_cast<std::int64_t>(circles.size());
-  State state = construct(std::move(valid).value(), options, journal);
   Diagram diagram = [&] {
+    if (options.method == Method::touchingDisc) {
+      return touchingDiscDiagram(circles, std::move(valid).value(), options, journal);
+    }
+    State state = construct(std::move(valid).value(), options, journal);
     const Stopwatch watch = journal.enter(Stage::assemble);
     return diagramOf(circles, std::move(state), Threads(options.threads));
   }();

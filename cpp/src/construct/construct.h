@@ -9,45 +9,48 @@
 #include "find_sites.h"
 #include "journal.h"
 #include "judge.h"
-#include "topology.h"
+#include "report_faces.h"
 #include "triangulate.h"
 
 namespace circle_voronoi {
 
-/// A topology over sites that is not that of a triangulated sphere, and where.
-struct FlawedTopology {
-  Topology topology;
-  TopologyFlaw flaw;
-};
-
-/// A dual over sites with the verdict of the judge, or a topology that forms no dual.
-struct Construction {
-  Dual dual;
-  Verdict verdict;
-  std::optional<FlawedTopology> flawed = {};
-
-  bool isRight() const { return !flawed && verdict.isRight(); }
-};
-
-/// The sites of some circles, and a construction over them.
+/// The sites of some circles, a dual over them, and the verdict of the judge with its proof.
 struct State {
   Sites sites;
-  Construction construction;
+  Dual dual;
+  Verdict verdict;
 };
 
-/// Runs the method of `options` on valid circles. With Method::automatic, the construction is the first certified dual,
-/// made by flips, by local repair if the flips leave few wrong faces, or by insertion; if none is certified, the last
-/// one. Events go to the observer of `options`, in indices of the circles. Throws the error of `refusalOfHidden`.
+/// Runs Method::automatic or Method::flip on valid circles. With Method::automatic, the dual is the first certified
+/// one, made by flips, by local repair if the flips leave few wrong faces, or by insertion; if none is certified, the
+/// last one. Events go to the observer of `options`, in indices of the circles. Throws the error of `refusalOfHidden`.
 State construct(std::vector<Circle> circles, const Options& options, Journal& journal);
 
-/// Returns the number of samples that the touching disc method takes.
-int sampleCountOf(const Options& options);
-
-/// Flips from the Delaunay triangulation of the centers, judged.
-Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads);
+/// Flips the dual of a state from the Delaunay triangulation of the centers, which it uses up, and judges it.
+void constructByFlips(State& state, const Observer& observer, Journal& journal, Threads threads);
 
 /// Returns the certified dual of a few circles, none of which hides another, built by insertion. Returns nothing if
 /// there are too many circles, or if the judge rejects the dual.
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts);
+
+// The parts of a construction, for all methods.
+
+/// Orders valid circles and finds their sites. Without `mayInsert`, these have the triangulation of their centers in
+/// any case. Throws the error of `refusalOfHidden`.
+FoundSites sitesOf(std::vector<Circle> circles, bool mayInsert, Journal& journal, Threads threads);
+
+/// Translates the events of visible circles to those of the input. Both arguments must outlive the result.
+Observer observerOfInput(const Observer& observer, const std::vector<int>& visible);
+
+/// Tells the observer the edges of the triangulation of the centers.
+void reportOfCenters(const Dual& centers, const Observer& observer);
+
+/// Judges a dual, given the known part of its proof, settles its ties, and tells the observer what they change.
+Verdict judged(Dual& dual, Proof proof, const Sites& sites, FaceReporter& reporter, Journal& journal, Threads threads);
+
+/// Flips a dual, repairs it if `mayRepair`, and judges it, as above. The dual is not judged if too much is left to
+/// repair.
+Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceReporter& reporter, Journal& journal,
+                         Threads threads);
 
 }  // namespace circle_voronoi

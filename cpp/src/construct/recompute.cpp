@@ -27,8 +27,8 @@ std::optional<Diagram> recompute(const Diagram& before, std::span<const Circle> 
 
   const Progress progress;
   Journal journal(progress);
-  state.construction = constructByFlips(sites, {}, journal, Threads());
-  if (!state.construction.isRight()) return {};
+  constructByFlips(state, {}, journal, Threads());
+  if (!state.verdict.isRight()) return {};
   Diagram result = diagramOf(circles, std::move(state));
   result.weights = before.weights;
   result.stats = std::move(journal.stats);

@@ -72,8 +72,8 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
     if (circle != kNone) circle = ids[static_cast<std::size_t>(circle)];
     throw;
   }
-  const auto& [sites, construction] = constructed;
-  if (!construction.isRight()) {
+  const auto& [sites, dual, verdict] = constructed;
+  if (!verdict.isRight()) {
     return errorWith(ErrorCode::notCertified, "No construction led to a certified diagram.");
   }
 
@@ -96,7 +96,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   }
   for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[at(hidden.circle)], slots[at(hidden.by)]);
   state->nextId = std::max(nextId, ids.empty() ? CircleId(0) : CircleId(ids.back() + 1));
-  fillFaces(*state, construction.dual, construction.verdict.proof);
+  fillFaces(*state, dual, verdict.proof);
   state->prepareToCommit();
   state->commit();
   return state;

@@ -78,7 +78,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
   stats.way = Way::edit;
   stats.counts.circles = static_cast<std::int64_t>(circles.size());
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
-  result.construction.dual = compacted(state, siteOf);
+  result.dual = compacted(state, siteOf);
   Diagram diagram = diagramOf(circles, std::move(result));
   diagram.weights = state.weights;
   diagram.stats = stats;
