@@ -172,7 +172,7 @@ ExactAxis axisOf(const Circle& o, const Circle* p, const Circle* q) {
   return {{u.x * gq - v.x * gp, u.y * gq - v.y * gp, u.s * gq - v.s * gp}, sqrt(Real(gp * gq * squareOf(p, q)))};
 }
 
-/// The direction to a disc, as long as refinedDirection has it.
+/// The direction to a disc, times the squared length of the axis.
 std::array<Real, 2> exactDirection(const ExactAxis& axis) {
   const auto& [d, root] = axis;
   return {-d.s * d.x - root * d.y, -d.s * d.y + root * d.x};
@@ -189,17 +189,6 @@ double worstOfTurns(const Circles& c, Compare compare) {
   const exact::Face one = {&c[0], &c[1], &c[2]};
   return std::max(compare(one, exact::Face{&c[1], &c[0], &c[3]}, c[0]),
                   compare(exact::Face{&c[1], &c[0], nullptr}, one, c[0]));
-}
-
-double refinedDirectionPart(const Circles& c) {
-  return worstOfTurns(c, [](const exact::Face& face, const exact::Face&, const Circle& from) {
-    const auto [p, q] = exact::othersOf(face, &from);
-    const auto direction = exactDirection(axisOf(from, p, q));
-    const Real magnitude = magnitudeOf(from, p, q);
-    const Direction found = refinedDirection(face, from);
-    return std::max(part(direction[0] / magnitude, found.x, found.error),
-                    part(direction[1] / magnitude, found.y, found.error));
-  });
 }
 
 /// Checks the parts of refinedTurn.
@@ -369,7 +358,6 @@ INSTANTIATE_TEST_SUITE_P(Each, EstimateBound,
                                          Bound{"TangentLength", tangentLengthPart}, Bound{"Infinity", infinityPart},
                                          Bound{"Reach", reachPart}, Bound{"Disc", discPart<discOf, exactDisc>},
                                          Bound{"RefinedDisc", discPart<refinedDiscOf, exactRefinedDisc>},
-                                         Bound{"RefinedDirection", refinedDirectionPart},
                                          Bound{"RefinedReach", refinedReachPart},
                                          Bound{"RefinedCross", turnPartOf<&RefinedTurn::cross>},
                                          Bound{"RefinedLeft", turnPartOf<&RefinedTurn::left>},

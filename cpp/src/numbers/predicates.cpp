@@ -128,10 +128,6 @@ int Predicates::exactEdgeOrder(int a, int b, int c, int d) {
 
 bool Predicates::isLowerExactly(int from, const Triple& face) {
   const exact::Face circles = facing(circles_, face);
-  if (const int sign = heightOf(refinedDirection(circles, circles_[at(from)])).sign(); sign != 0) {
-    ++counts_.refined;
-    return sign < 0;
-  }
   ++counts_.exact;
   const int sign = exact::directionSign(circles, circles_[at(from)], 1);
   return sign < 0 || (sign == 0 && exact::directionSign(circles, circles_[at(from)], 0) < 0);

@@ -151,15 +151,6 @@ Estimate factorOf(const RelativeCircle& p, const RelativeCircle& q, const Relati
 
 }  // namespace
 
-Direction refinedDirection(const exact::Face& face, const Circle& from) {
-  const auto [first, second] = exact::othersOf(face, &from);
-  const RelativeCircle p(first, from);
-  const RelativeCircle q(second, from);
-  const Relative pq = tangentSquareOf(first, second);
-  if (!areKnown({p.square, q.square, pq})) return {0, 0, kUnknownError};
-  return Axis(p, q, pq).direction();
-}
-
 // The disc is seen from the smallest circle, which it touches if it touches any. With w = 2 t |D|^2,
 // the point (e |D|^2 : w) has the distance |D|^2 / w. All three are divided by the magnitude of the axis.
 //

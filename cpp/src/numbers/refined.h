@@ -15,9 +15,6 @@ namespace circle_voronoi {
 /// Computes the disc of three circles in counter-clockwise order, with the smallest as its corner.
 CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2);
 
-/// Returns the direction from a corner of a face to its disc. It can have any length.
-Direction refinedDirection(const exact::Face& face, const Circle& from);
-
 /// Returns how far circle c reaches beyond the tangent line to the left of a -> b, times 2 |d|^2 (homogeneous_disc.h).
 Estimate refinedReach(const Circle& a, const Circle& b, const Circle& c);
 
