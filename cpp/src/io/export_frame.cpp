@@ -8,6 +8,7 @@
 #include "cell_limits.h"
 #include "checks.h"
 #include "clip_parts.h"
+#include "infinity.h"
 
 namespace circle_voronoi {
 namespace {
@@ -110,22 +111,44 @@ Point ExportFrame::roundOnBoundary(Point p) const {
   return {rounded(p.x, box.minX, box.maxX), rounded(p.y, box.minY, box.maxY)};
 }
 
-namespace {
-
-std::vector<double> ofEachCell(const Diagram& diagram, double (*measure)(const Diagram&, CircleIndex)) {
-  std::vector<double> values(diagram.circles.size());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = measure(diagram, static_cast<std::int32_t>(i));
-  return values;
-}
-
-}  // namespace
-
 std::vector<double> areasIn(const ExportFrame& frame) {
-  return frame.isClipped ? frame.clipped.areas() : ofEachCell(frame.diagram, cellArea);
+  if (frame.isClipped) return frame.clipped.areas();
+  std::vector<double> areas(frame.diagram.circles.size());
+  for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = cellArea(frame.diagram, static_cast<std::int32_t>(i));
+  return areas;
 }
 
-std::vector<double> perimetersIn(const ExportFrame& frame) {
-  return frame.isClipped ? frame.clipped.perimeters() : ofEachCell(frame.diagram, cellPerimeter);
+CellMeasures measuresIn(const ExportFrame& frame) {
+  if (frame.isClipped) return {frame.clipped.areas(), frame.clipped.perimeters()};
+  CellMeasures result;
+  for (std::size_t i = 0; i < frame.diagram.circles.size(); ++i) {
+    const auto circle = static_cast<std::int32_t>(i);
+    const Outline whole = outline(frame.diagram, circle);
+    const bool isUnbounded = whole.empty() && frame.diagram.hasCell(circle);
+    result.areas.push_back(isUnbounded ? kInfinite : area(whole));
+    result.perimeters.push_back(isUnbounded ? kInfinite : perimeter(whole));
+  }
+  return result;
+}
+
+std::vector<CircleIndex> hidersOf(std::span<const HiddenCircle> hidden, std::size_t circleCount) {
+  std::vector<CircleIndex> hiders(circleCount);
+  for (const auto& [circle, by] : hidden) hiders[static_cast<std::size_t>(circle)] = by;
+  return hiders;
+}
+
+void writeCellColumns(Writer& out, double area, double perimeter, const std::vector<CircleIndex>& neighbors,
+                      CircleIndex hider) {
+  for (const double measure : {area, perimeter}) {
+    if (std::isinf(measure)) {
+      out << "inf,";
+    } else {
+      out << measure << ",";
+    }
+  }
+  writeJoined(out, neighbors, " ");
+  out << ",";
+  if (hider != kNone) out << hider;
 }
 
 namespace {
@@ -171,9 +194,7 @@ std::vector<std::vector<std::vector<Point>>> mapped(const ExportFrame& frame,
 
 std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circle) {
   if (frame.isClipped) return frame.clipped.neighbors(circle);
-  std::vector<CircleIndex> neighbors;
-  for (const SideIndex side : frame.diagram.sides(circle)) neighbors.push_back(frame.diagram.neighborOf(side));
-  return neighbors;
+  return neighbors(frame.diagram, circle);
 }
 
 EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece) {

@@ -61,8 +61,21 @@ std::vector<CircleIndex> neighborsIn(const ExportFrame& frame, CircleIndex circl
 /// of the whole cell, which is infinite if the cell is unbounded.
 std::vector<double> areasIn(const ExportFrame& frame);
 
-/// Returns the perimeter of each cell or part, like `areasIn`.
-std::vector<double> perimetersIn(const ExportFrame& frame);
+/// The measures of each cell, or of its part inside.
+struct CellMeasures {
+  std::vector<double> areas;
+  std::vector<double> perimeters;
+};
+
+/// Returns the area and the perimeter of each cell, like `areasIn`.
+CellMeasures measuresIn(const ExportFrame& frame);
+
+/// Returns for each circle the one that hides it, or kNone.
+std::vector<CircleIndex> hidersOf(std::span<const HiddenCircle> hidden, std::size_t circleCount);
+
+/// Writes the columns area, perimeter, neighbors and hiddenBy of a cell. The measures of unbounded cells are `inf`.
+void writeCellColumns(Writer& out, double area, double perimeter, const std::vector<CircleIndex>& neighbors,
+                      CircleIndex hider);
 
 /// Returns rings mapped by ExportOptions::place.
 std::vector<std::vector<std::vector<Point>>> mapped(const ExportFrame& frame,

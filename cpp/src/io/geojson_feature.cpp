@@ -15,17 +15,16 @@ namespace {
 void writePosition(Writer& out, Point p) { out << "[" << p.x << "," << p.y << "]"; }
 
 void writePolygon(Writer& out, const std::vector<PointRing>& rings) {
-  std::string_view separator = "[[";
-  for (const auto& ring : rings) {
-    out << separator;
+  out << "[";
+  writeJoined(out, rings, ",", [&](const PointRing& ring) {
+    out << "[";
     for (const Point& p : ring) {
       writePosition(out, p);
       out << ",";
     }
     writePosition(out, ring.front());
     out << "]";
-    separator = ",[";
-  }
+  });
   out << "]";
 }
 
@@ -33,10 +32,7 @@ void writePolygon(Writer& out, const std::vector<PointRing>& rings) {
 
 void writeMultiPolygon(Writer& out, const std::vector<std::vector<PointRing>>& polygons) {
   out << "[";
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    if (i > 0) out << ",";
-    writePolygon(out, polygons[i]);
-  }
+  writeJoined(out, polygons, ",", [&](const auto& rings) { writePolygon(out, rings); });
   out << "]";
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -14,28 +13,14 @@
 #include "writer.h"
 
 namespace circle_voronoi {
-namespace {
-
-/// Writes a measure; `inf` for that of an unbounded cell.
-void writeMeasure(Writer& out, const ExportFrame& frame, double value) {
-  if (std::isinf(value)) {
-    out << "inf";
-  } else {
-    out << frame.area(value);
-  }
-}
-
-}  // namespace
 
 Result<void> writeCellsCsv(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
     constexpr auto kOwn = std::to_array<std::string_view>({"circle", "area", "perimeter", "neighbors", "hiddenBy"});
     const CircleAttributes none;
     AttributeColumns columns(options.attributes != nullptr ? *options.attributes : none, kOwn);
-    const std::vector<double> areas = areasIn(frame);
-    const std::vector<double> perimeters = perimetersIn(frame);
-    std::vector<CircleIndex> hiders(diagram.circles.size(), kNone);
-    for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
+    const auto [areas, perimeters] = measuresIn(frame);
+    const std::vector<CircleIndex> hiders = hidersOf(diagram.hidden, diagram.circles.size());
     out << "circle,x,y,r,area,perimeter,neighbors,hiddenBy";
     columns.writeHeader(out);
     out << "\n";
@@ -43,17 +28,8 @@ Result<void> writeCellsCsv(std::ostream& stream, const Diagram& diagram, const E
       const Circle& c = diagram.circles[i];
       const Point center = frame.place ? frame.place({c.x, c.y}) : Point{c.x, c.y};
       out << static_cast<std::int64_t>(i) << "," << center.x << "," << center.y << "," << c.r << ",";
-      writeMeasure(out, frame, areas[i]);
-      out << ",";
-      writeMeasure(out, frame, perimeters[i]);
-      out << ",";
-      std::string_view space;
-      for (const CircleIndex neighbor : neighborsIn(frame, static_cast<std::int32_t>(i))) {
-        out << space << neighbor;
-        space = " ";
-      }
-      out << ",";
-      if (hiders[i] != kNone) out << hiders[i];
+      writeCellColumns(out, frame.area(areas[i]), frame.area(perimeters[i]),
+                       neighborsIn(frame, static_cast<std::int32_t>(i)), hiders[i]);
       columns.writeRow(out, i);
       out << "\n";
     }

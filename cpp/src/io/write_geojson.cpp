@@ -22,12 +22,8 @@ void writeShift(Writer& out, const Shift& shift) { out << "[" << shift[0] << ","
 
 void writeShifts(Writer& out, const PeriodicDiagram& periodic, CircleIndex circle) {
   out << R"(,"shifts":[)";
-  std::string_view comma;
-  for (const CircleImage& neighbor : neighbors(periodic, circle)) {
-    out << comma;
-    writeShift(out, neighbor.shift);
-    comma = ",";
-  }
+  writeJoined(out, neighbors(periodic, circle), ",",
+              [&](const CircleImage& neighbor) { writeShift(out, neighbor.shift); });
   out << "]";
 }
 
@@ -49,8 +45,7 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
   const Diagram& diagram = frame.diagram;
   const CellPolygons polygons(frame);
   const std::vector<double> areas = areasIn(frame);
-  std::vector<std::int32_t> hiders(diagram.circles.size(), kNone);
-  for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
+  const std::vector<CircleIndex> hiders = hidersOf(diagram.hidden, diagram.circles.size());
   std::string_view between;
   bool isAny = false;
   polygons.visit([&](std::int32_t i) {
@@ -66,19 +61,12 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
     }
     if (frame.clipped.placeOf(i) == ClippedDiagram::Place::cut) out << R"(,"clipped":true)";
     out << R"(,"neighbors":[)";
-    std::string_view comma;
-    const auto add = [&](CircleIndex neighbor) {
-      out << comma << selection.id(neighbor);
-      comma = ",";
-    };
-    if (periodic == nullptr) {
-      for (const CircleIndex neighbor : neighborsIn(frame, i)) add(neighbor);
-    } else {  // one for each shift
-      for (const SideIndex side : diagram.sides(i)) add(diagram.neighborOf(side));
-    }
+    // Periodic diagrams have one for each shift.
+    writeJoined(out, periodic == nullptr ? neighborsIn(frame, i) : neighbors(diagram, i), ",",
+                [&](CircleIndex neighbor) { out << selection.id(neighbor); });
     out << "]";
     if (periodic != nullptr) writeShifts(out, *periodic, i);
-    if (const std::int32_t hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
+    if (const CircleIndex hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
       out << R"(,"hiddenBy":)" << selection.id(hider);
       if (periodic != nullptr) {
         out << R"(,"hiderShift":)";

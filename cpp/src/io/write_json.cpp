@@ -12,11 +12,9 @@ namespace {
 
 template <class Struct, class Field, std::size_t count>
 void writeFields(Writer& out, const Struct& values, const std::array<NamedMember<Struct, Field>, count>& fields) {
-  std::string_view separator = "{";
-  for (const auto& [name, field] : fields) {
-    out << separator << "\"" << name << "\": " << values.*field;
-    separator = ", ";
-  }
+  out << "{";
+  writeJoined(out, fields, ", ",
+              [&](const auto& member) { out << "\"" << member.name << "\": " << values.*member.member; });
   out << "}";
 }
 
@@ -51,6 +49,19 @@ void writeAttributeMembers(Writer& out, const CircleAttributes& attributes, std:
   }
 }
 
+void writeHidden(Writer& out, std::span<const HiddenCircle> hidden, std::string_view name) {
+  writeLines(out, hidden.size(), [&](std::size_t i) {
+    out << "{\"" << name << "\": " << hidden[i].circle << ", \"by\": " << hidden[i].by << "}";
+  });
+}
+
+void writeEdges(Writer& out, std::span<const Edge> edges, std::string_view name) {
+  writeLines(out, edges.size(), [&](std::size_t i) {
+    const auto& [left, right, start, end] = edges[i];
+    out << "{\"" << name << "\": [" << left << ", " << right << "], \"vertices\": [" << start << ", " << end << "]}";
+  });
+}
+
 void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits, const CircleAttributes& attributes,
                   const std::function<void()>& writeMore) {
   const DecimalGrid grid(digits);
@@ -66,9 +77,7 @@ void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits
     out << "}";
   });
   out << ",\n \"hidden\": ";
-  writeLines(out, diagram.hidden.size(), [&](std::size_t i) {
-    out << "{\"circle\": " << diagram.hidden[i].circle << ", \"by\": " << diagram.hidden[i].by << "}";
-  });
+  writeHidden(out, diagram.hidden, "circle");
   out << ",\n \"vertices\": ";
   writeLines(out, diagram.vertices.size(), [&](std::size_t i) {
     const Vertex& vertex = diagram.vertices[i];
@@ -77,17 +86,9 @@ void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits
         << ", \"r\": " << grid.round(vertex.r) << ", \"circles\": [" << a << ", " << b << ", " << c << "]}";
   });
   out << ",\n \"edges\": ";
-  writeLines(out, diagram.edges.size(), [&](std::size_t i) {
-    const Edge& edge = diagram.edges[i];
-    out << "{\"circles\": [" << edge.left << ", " << edge.right << "], \"vertices\": [" << edge.start << ", "
-        << edge.end << "]}";
-  });
+  writeEdges(out, diagram.edges, "circles");
   out << ",\n \"hull\": [";
-  std::string_view separator;
-  for (const std::int32_t circle : diagram.hull) {
-    out << separator << circle;
-    separator = ", ";
-  }
+  writeJoined(out, diagram.hull, ", ");
   out << "],\n ";
   writeMore();
   out << "\"stats\": ";

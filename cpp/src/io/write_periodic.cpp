@@ -84,14 +84,10 @@ Result<void> writePeriodicJson(std::ostream& stream, const PeriodicDiagram& peri
       });
       out << ",\n \"neighbors\": ";
       writeLines(out, static_cast<std::size_t>(periodic.circleCount), [&](std::size_t i) {
-        std::string_view separator = "[";
-        const auto images = neighbors(periodic, static_cast<std::int32_t>(i));
-        for (const CircleImage& image : images) {
-          out << separator;
-          writeImage(out, image);
-          separator = ", ";
-        }
-        out << (images.empty() ? "[]" : "]");
+        out << "[";
+        writeJoined(out, neighbors(periodic, static_cast<std::int32_t>(i)), ", ",
+                    [&](const CircleImage& image) { writeImage(out, image); });
+        out << "]";
       });
       out << ",\n ";
     });

@@ -37,13 +37,6 @@ Result<void> check(const SphereDiagram& diagram, const SphereExportOptions& opti
   return checkAttributes(attributesOf(options), diagram.caps.size());
 }
 
-/// For each hidden cap the one that hides it; kNone for others.
-std::vector<CircleIndex> hidersOf(const SphereDiagram& diagram) {
-  std::vector<CircleIndex> hiders(diagram.caps.size(), kNone);
-  for (const auto& [cap, by] : diagram.hidden) hiders[static_cast<std::size_t>(cap)] = by;
-  return hiders;
-}
-
 /// The polygons of a row, rounded. Polygons whose rings would cross by rounding keep all digits.
 std::vector<std::vector<PointRing>> rowOf(const ClippedPolygons& all, std::size_t row, const DecimalGrid& grid) {
   const auto at = [](const auto& list, std::size_t i) { return static_cast<std::size_t>(list[i]); };
@@ -86,7 +79,7 @@ Result<void> writeFeatures(std::ostream& stream, const SphereDiagram& diagram, c
   const DecimalGrid areaGrid(options.digits);
   return writing(stream, [&](Writer& out) {
     const std::vector<double> areas = circle_voronoi::areas(diagram, options.maxDistance);
-    const std::vector<CircleIndex> hiders = hidersOf(diagram);
+    const std::vector<CircleIndex> hiders = hidersOf(diagram.hidden, diagram.caps.size());
     if (isCollection) {
       writeCollectionStart(out, options.attributes);
       out << (diagram.caps.empty() ? "" : "\n");
@@ -96,11 +89,7 @@ Result<void> writeFeatures(std::ostream& stream, const SphereDiagram& diagram, c
       writeFeatureStart(out, options.attributes, i);
       out << R"("circle":)" << static_cast<std::int64_t>(i) << R"(,"r":)" << diagram.caps[i].r << R"(,"area":)"
           << areaGrid.round(areas[i]) << R"(,"neighbors":[)";
-      std::string_view comma;
-      for (const CircleIndex neighbor : neighbors(diagram, static_cast<std::int32_t>(i))) {
-        out << comma << neighbor;
-        comma = ",";
-      }
+      writeJoined(out, neighbors(diagram, static_cast<std::int32_t>(i)), ",");
       out << "]";
       if (hiders[i] != kNone) out << R"(,"hiddenBy":)" << hiders[i];
       if (options.attributes != nullptr) writeAttributes(out, *options.attributes, i);
@@ -131,23 +120,16 @@ Result<void> writeSphereCsv(std::ostream& stream, const SphereDiagram& diagram, 
     AttributeColumns columns(attributesOf(options), kOwn);
     const std::vector<double> areas = circle_voronoi::areas(diagram, options.maxDistance);
     const std::vector<double> perimeters = circle_voronoi::perimeters(diagram, options.maxDistance);
-    const std::vector<CircleIndex> hiders = hidersOf(diagram);
+    const std::vector<CircleIndex> hiders = hidersOf(diagram.hidden, diagram.caps.size());
     const DecimalGrid grid(options.digits);
     out << "longitude,latitude,r,area,perimeter,neighbors,hiddenBy";
     columns.writeHeader(out);
     out << "\n";
     for (std::size_t i = 0; i < diagram.caps.size(); ++i) {
       const Cap& cap = diagram.caps[i];
-      const auto index = static_cast<std::int32_t>(i);
-      out << cap.longitude << "," << cap.latitude << "," << cap.r << "," << grid.round(areas[i]) << ","
-          << grid.round(perimeters[i]) << ",";
-      std::string_view space;
-      for (const CircleIndex neighbor : neighbors(diagram, index)) {
-        out << space << neighbor;
-        space = " ";
-      }
-      out << ",";
-      if (hiders[i] != kNone) out << hiders[i];
+      out << cap.longitude << "," << cap.latitude << "," << cap.r << ",";
+      writeCellColumns(out, grid.round(areas[i]), grid.round(perimeters[i]),
+                       neighbors(diagram, static_cast<std::int32_t>(i)), hiders[i]);
       columns.writeRow(out, i);
       out << "\n";
     }
@@ -170,9 +152,7 @@ Result<void> writeSphereJson(std::ostream& stream, const SphereDiagram& diagram,
       out << "}";
     });
     out << ",\n \"hidden\": ";
-    writeLines(out, diagram.hidden.size(), [&](std::size_t i) {
-      out << "{\"cap\": " << diagram.hidden[i].circle << ", \"by\": " << diagram.hidden[i].by << "}";
-    });
+    writeHidden(out, diagram.hidden, "cap");
     out << ",\n \"vertices\": ";
     writeLines(out, diagram.vertices.size(), [&](std::size_t i) {
       const auto& [longitude, latitude, distance] = diagram.vertices[i];
@@ -181,11 +161,7 @@ Result<void> writeSphereJson(std::ostream& stream, const SphereDiagram& diagram,
           << ", \"caps\": [" << a << ", " << b << ", " << c << "]}";
     });
     out << ",\n \"edges\": ";
-    writeLines(out, diagram.edges.size(), [&](std::size_t i) {
-      const Edge& edge = diagram.edges[i];
-      out << "{\"caps\": [" << edge.left << ", " << edge.right << "], \"vertices\": [" << edge.start << ", " << edge.end
-          << "]}";
-    });
+    writeEdges(out, diagram.edges, "caps");
     out << "}\n";
   });
 }

@@ -34,11 +34,8 @@ void checkTable(std::span<const Column> columns, const ClippedPolygons* polygons
 }
 
 void writeRowMembers(Writer& out, std::span<const Column> columns, std::size_t row) {
-  std::string_view comma;
-  for (const Column& column : columns) {
-    out << comma << jsonString(column.name) << ":" << column.values[row];
-    comma = ",";
-  }
+  writeJoined(out, columns, ",",
+              [&](const Column& column) { out << jsonString(column.name) << ":" << column.values[row]; });
 }
 
 void writeTableFeatures(Writer& out, std::span<const Column> columns, const ClippedPolygons& polygons,
@@ -68,11 +65,8 @@ std::string titleOf(std::span<const Column> columns, std::size_t row) {
 void writeCellPath(Writer& out, const std::vector<std::vector<PointRing>>& polygons) {
   for (const auto& rings : polygons) {
     for (const PointRing& ring : rings) {
-      std::string_view command = "M";
-      for (const Point& p : ring) {
-        out << command << p.x << " " << p.y;
-        command = "L";
-      }
+      out << "M";
+      writeJoined(out, ring, "L", [&](const Point& p) { out << p.x << " " << p.y; });
       out << "Z";
     }
   }
@@ -85,7 +79,7 @@ Result<void> writeTableCsv(std::ostream& stream, std::span<const Column> columns
     checkTable(columns);
     return unguardedWriting(stream, [&](Writer& out) {
       const auto writeLine = [&](auto field) {
-        for (std::size_t k = 0; k < columns.size(); ++k) out << (k > 0 ? "," : "") << field(columns[k]);
+        writeJoined(out, columns, ",", [&](const Column& column) { out << field(column); });
         out << "\n";
       };
       writeLine([](const Column& column) { return csvText(column.name); });

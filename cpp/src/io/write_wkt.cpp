@@ -9,17 +9,16 @@ namespace {
 void writeCoordinates(Writer& out, Point p) { out << p.x << " " << p.y; }
 
 void writeWktPolygon(Writer& out, const CellPolygons::Polygon& rings) {
-  std::string_view separator = "((";
-  for (const auto& ring : rings) {
-    out << separator;
+  out << "(";
+  writeJoined(out, rings, ", ", [&](const CellPolygons::Ring& ring) {
+    out << "(";
     for (const Point& p : ring) {
       writeCoordinates(out, p);
       out << ", ";
     }
     writeCoordinates(out, ring.front());
     out << ")";
-    separator = ", (";
-  }
+  });
   out << ")";
 }
 
@@ -35,10 +34,7 @@ Result<void> writeWkt(std::ostream& stream, const Diagram& diagram, const Export
         return;
       }
       out << (its.size() == 1 ? "POLYGON " : "MULTIPOLYGON (");
-      for (std::size_t k = 0; k < its.size(); ++k) {
-        if (k > 0) out << ", ";
-        writeWktPolygon(out, its[k]);
-      }
+      writeJoined(out, its, ", ", [&](const auto& rings) { writeWktPolygon(out, rings); });
       out << (its.size() == 1 ? "\n" : ")\n");
     });
   });

@@ -81,6 +81,21 @@ class Writer {
   std::size_t size_ = 0;
 };
 
+/// Writes items with a separator between them, each by `write(item)`.
+template <class Items, class Write>
+void writeJoined(Writer& out, const Items& items, std::string_view separator, Write write) {
+  std::string_view before;
+  for (const auto& item : items) {
+    out << before;
+    write(item);
+    before = separator;
+  }
+}
+template <class Items>
+void writeJoined(Writer& out, const Items& items, std::string_view separator) {
+  writeJoined(out, items, separator, [&out](const auto& item) { out << item; });
+}
+
 /// Writes to a stream what `body` writes to a Writer. Call it within exactly one `guarded`: exceptions of the stream
 /// would not pass through a second one.
 template <class Body>
