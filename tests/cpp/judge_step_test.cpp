@@ -85,7 +85,7 @@ TEST(JudgeStep, SeesThatACircleHasMovedTooFar) {
   const Verdicts verdicts = compareJudges(100, [](EditState& state, Random& random) -> std::optional<int> {
     const auto anyVisible = [&] { return random.below(static_cast<std::size_t>(state.visibleCount)); };
     const int slot = static_cast<int>(anyVisible());
-    state.willChangeSite(slot);
+    state.willChangeSlot(slot);
     for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
       if (state.dual.origin[h] == slot) state.willChange(h / 3);
     }
@@ -95,10 +95,10 @@ TEST(JudgeStep, SeesThatACircleHasMovedTooFar) {
     circle.x += step * (other.x - circle.x);
     circle.y += step * (other.y - circle.y);
     // Other tests look for circles that it no longer hides.
-    while (state.sites[slot].firstHidden != kNone) {
-      const int inner = state.sites[slot].firstHidden;
+    while (state.slots[slot].firstHidden != kNone) {
+      const int inner = state.slots[slot].firstHidden;
       state.detach(inner);
-      state.removeSite(inner);
+      state.removeSlot(inner);
     }
     return slot;
   });
@@ -128,7 +128,7 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
   CellShrinker shrinker;
   ASSERT_TRUE(shrinker.takeOut(*state, first));
   --state->visibleCount;
-  state->removeSite(first);
+  state->removeSlot(first);
   EXPECT_EQ(judge.judge(*state, kNone), StepVerdict::wrong);
   state->rollBack(mark);
 

@@ -49,7 +49,7 @@ TEST(Step, ANudgeLeavesThoseAloneThatStayHidden) {
   nudged.x += nudged.r / 50;
   EXPECT_EQ(steps.stepper.replace(steps.state->ids.slotOf(3000), nudged), EditWay::local);
   // Only circles that are inserted, removed, or next to these in the list are logged.
-  EXPECT_LT(steps.state->siteLog.size(), hidden / 4);
+  EXPECT_LT(steps.state->slotLog.size(), hidden / 4);
 }
 
 TEST(Step, ThatHidesOrShowsMostIsLeftToTheWhole) {

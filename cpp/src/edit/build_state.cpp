@@ -46,7 +46,7 @@ void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
 
 std::array<int, 3> slotsOfVertex(const EditState& state, int face) {
   auto slots = cornersOf(state.dual, 3 * face);
-  const auto isBefore = [&](int a, int b) { return state.sites[at(a)].id < state.sites[at(b)].id; };
+  const auto isBefore = [&](int a, int b) { return state.slots[at(a)].id < state.slots[at(b)].id; };
   std::rotate(slots.begin(), std::min_element(slots.begin(), slots.end(), isBefore), slots.end());
   return slots;
 }
@@ -82,7 +82,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   state->threads = options.threads;
   state->circleCount = static_cast<int>(circles.size());
   state->visibleCount = static_cast<int>(sites.circles.size());
-  state->siteNumbers = NumberPool(state->circleCount);
+  state->slotNumbers = NumberPool(state->circleCount);
   state->sizeToNumbers();
   std::vector<int> slots(circles.size(), kNone);  // the slot of each index
   int slot = 0;
@@ -90,7 +90,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   for (const HiddenCircle& hidden : sites.hidden) slots[at(hidden.circle)] = slot++;
   for (std::size_t i = 0; i < circles.size(); ++i) {
     state->circles[at(slots[i])] = rounded[i];
-    state->sites[at(slots[i])].id = ids[i];
+    state->slots[at(slots[i])].id = ids[i];
     state->ids.add(ids[i], slots[i]);
     state->sizes.add(rounded[i], 1);
   }

@@ -31,7 +31,7 @@ void addVertex(Change& change, const EditState& state, int face) {
   const auto [i, j, k] = slotsOfVertex(state, face);
   change.addedVertices.push_back(face);
   change.vertices.push_back(vertexOfFace(state, face));
-  change.vertexCircles.push_back({state.sites[at(i)].id, state.sites[at(j)].id, state.sites[at(k)].id});
+  change.vertexCircles.push_back({state.slots[at(i)].id, state.slots[at(j)].id, state.slots[at(k)].id});
 }
 
 /// Adds an edge of the new diagram.
@@ -80,7 +80,7 @@ void addCircles(Change& change, const EditState& state) {
 Result<Change> ChangeRecorder::record(EditState& state, EditWay way) {
   for (const int slot : marked_) marks_[at(slot)] = {};
   marked_.clear();
-  marks_.resize(state.sites.size());
+  marks_.resize(state.slots.size());
   Change change;
   change.way = way;
   const std::size_t faces = state.faceLog.size();
@@ -104,13 +104,13 @@ ChangeRecorder::Mark& ChangeRecorder::markOf(int slot) {
 }
 
 void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
-  for (const EditState::SavedSite& saved : state.siteLog) {
+  for (const EditState::SavedSlot& saved : state.slotLog) {
     if (saved.before != kNone) continue;
-    const CircleId id = state.sites[at(saved.slot)].id;
-    const bool was = saved.site.id != kNone;
+    const CircleId id = state.slots[at(saved.slot)].id;
+    const bool was = saved.data.id != kNone;
     const bool is = id != kNone;
     const bool isVisible = state.isVisible(saved.slot);
-    if (was && !is) change.removed.push_back(saved.site.id);
+    if (was && !is) change.removed.push_back(saved.data.id);
     if (is && !was) change.inserted.push_back(id);
     if (is && was && saved.circle != state.circles[at(saved.slot)]) {
       change.replaced.push_back(id);
@@ -119,10 +119,10 @@ void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
     if (was && isVisible && !saved.wasVisible()) change.shown.push_back(id);
     if (!is || isVisible) continue;
     const bool isNew = !was || saved.wasVisible();
-    const int hider = state.sites[at(saved.slot)].hider;
+    const int hider = state.slots[at(saved.slot)].hider;
     if (isNew) change.hidden.push_back(id);
     // An edit does not reuse slots that it releases, so a slot still stands for the same circle.
-    if (isNew || saved.site.hider != hider) change.hiders.push_back({id, state.sites[at(hider)].id});
+    if (isNew || saved.data.hider != hider) change.hiders.push_back({id, state.slots[at(hider)].id});
   }
   addCircles(change, state);
 }
@@ -156,7 +156,7 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
   const auto addCell = [&](int slot) {
     if (slot == kPointAtInfinity || !state.isVisible(slot)) return;
     Mark& mark = markOf(slot);
-    if (!mark.hasCell) change.cells.push_back(state.sites[at(slot)].id);
+    if (!mark.hasCell) change.cells.push_back(state.slots[at(slot)].id);
     mark.hasCell = true;
   };
   for (const EditState::SavedFace& saved : state.faceLog) {
@@ -242,9 +242,9 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
       return;
     }
     if (was == kNone) change.hidden.push_back(id);
-    const CircleId by = after.sites[at(after.sites[at(slot)].hider)].id;
+    const CircleId by = after.slots[at(after.slots[at(slot)].hider)].id;
     const bool isSame =
-        was != kNone && !before.isVisible(was) && before.sites[at(before.sites[at(was)].hider)].id == by;
+        was != kNone && !before.isVisible(was) && before.slots[at(before.slots[at(was)].hider)].id == by;
     if (!isSame) change.hiders.push_back({id, by});
   });
   addCircles(change, after);

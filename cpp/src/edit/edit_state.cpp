@@ -14,14 +14,14 @@ void EditState::sizeToNumbers() {
   // The size of `origin` counts the faces. So if memory runs out in between, the arrays above are no smaller.
   dual.origin.resize(3 * faces, kPointAtInfinity);
   savedFaceAt_.resize(faces, kNone);
-  const auto slots = static_cast<std::size_t>(siteNumbers.count());
-  circles.resize(slots);
+  const auto count = static_cast<std::size_t>(slotNumbers.count());
+  circles.resize(count);
   predicates.setCircles(circles);
   discs.setCircles(circles);
-  sites.resize(slots);
-  hasNoCell.resize(slots);
-  edgeOf.resize(slots, kNone);
-  savedSiteAt_.resize(slots, kNone);
+  slots.resize(count);
+  hasNoCell.resize(count);
+  edgeOf.resize(count, kNone);
+  savedSlotAt_.resize(count, kNone);
 }
 
 int EditState::addFace() {
@@ -51,21 +51,21 @@ void EditState::willChange(int face) {
   savedFaceAt_[at(face)] = static_cast<int>(faceLog.size() - 1);
 }
 
-void EditState::willChangeSite(int slot) {
-  const int last = savedSiteAt_[at(slot)];
-  if (last != kNone && static_cast<std::size_t>(last) >= stepSites_) return;
-  siteLog.push_back({slot, last, sites[at(slot)], circles[at(slot)], hasNoCell[at(slot)]});
-  savedSiteAt_[at(slot)] = static_cast<int>(siteLog.size() - 1);
+void EditState::willChangeSlot(int slot) {
+  const int last = savedSlotAt_[at(slot)];
+  if (last != kNone && static_cast<std::size_t>(last) >= stepSlots_) return;
+  slotLog.push_back({slot, last, slots[at(slot)], circles[at(slot)], hasNoCell[at(slot)]});
+  savedSlotAt_[at(slot)] = static_cast<int>(slotLog.size() - 1);
 }
 
-int EditState::addSite(const Circle& circle, CircleId id) {
-  const int slot = siteNumbers.take();
-  if (slot >= static_cast<int>(savedSiteAt_.size())) sizeToNumbers();
-  willChangeSite(slot);
+int EditState::addSlot(const Circle& circle, CircleId id) {
+  const int slot = slotNumbers.take();
+  if (slot >= static_cast<int>(savedSlotAt_.size())) sizeToNumbers();
+  willChangeSlot(slot);
   const bool isNew = id == kNone;
   if (isNew) id = nextId;
   ids.add(id, slot);
-  sites[at(slot)] = {id};
+  slots[at(slot)] = {id};
   if (isNew) ++nextId;
   circles[at(slot)] = circle;
   hasNoCell[at(slot)] = 1;
@@ -74,70 +74,70 @@ int EditState::addSite(const Circle& circle, CircleId id) {
   return slot;
 }
 
-void EditState::removeSite(int slot) {
-  willChangeSite(slot);
-  siteNumbers.release(slot);
-  sites[at(slot)].id = kNone;  // if it still has a list, the judge rejects the step
+void EditState::removeSlot(int slot) {
+  willChangeSlot(slot);
+  slotNumbers.release(slot);
+  slots[at(slot)].id = kNone;  // if it still has a list, the judge rejects the step
   --circleCount;
   sizes.add(circles[at(slot)], -1);
 }
 
 void EditState::setCircle(int slot, const Circle& circle) {
-  willChangeSite(slot);
+  willChangeSlot(slot);
   sizes.add(circles[at(slot)], -1);
   circles[at(slot)] = circle;
   sizes.add(circle, 1);
 }
 
 void EditState::attach(int slot, int hider) {
-  willChangeSite(slot);
-  willChangeSite(hider);
-  const int next = sites[at(hider)].firstHidden;
+  willChangeSlot(slot);
+  willChangeSlot(hider);
+  const int next = slots[at(hider)].firstHidden;
   if (next != kNone) {
-    willChangeSite(next);
-    sites[at(next)].previous = slot;
+    willChangeSlot(next);
+    slots[at(next)].previous = slot;
   }
-  sites[at(hider)].firstHidden = slot;
-  sites[at(slot)].hider = hider;
-  sites[at(slot)].next = next;
-  sites[at(slot)].previous = kNone;
+  slots[at(hider)].firstHidden = slot;
+  slots[at(slot)].hider = hider;
+  slots[at(slot)].next = next;
+  slots[at(slot)].previous = kNone;
   hasNoCell[at(slot)] = 1;
 }
 
 void EditState::detach(int slot) {
-  willChangeSite(slot);
-  Site& site = sites[at(slot)];
-  if (site.previous != kNone) {
-    willChangeSite(site.previous);
-    sites[at(site.previous)].next = site.next;
+  willChangeSlot(slot);
+  Slot& data = slots[at(slot)];
+  if (data.previous != kNone) {
+    willChangeSlot(data.previous);
+    slots[at(data.previous)].next = data.next;
   } else {
-    willChangeSite(site.hider);
-    sites[at(site.hider)].firstHidden = site.next;
+    willChangeSlot(data.hider);
+    slots[at(data.hider)].firstHidden = data.next;
   }
-  if (site.next != kNone) {
-    willChangeSite(site.next);
-    sites[at(site.next)].previous = site.previous;
+  if (data.next != kNone) {
+    willChangeSlot(data.next);
+    slots[at(data.next)].previous = data.previous;
   }
-  site.hider = site.next = site.previous = kNone;
+  data.hider = data.next = data.previous = kNone;
 }
 
 EditState::Mark EditState::beginStep() {
   stepFaces_ = faceLog.size();
-  stepSites_ = siteLog.size();
-  return {stepFaces_, stepSites_, faceNumbers.mark(), siteNumbers.mark(), nextId, circleCount, visibleCount,
+  stepSlots_ = slotLog.size();
+  return {stepFaces_, stepSlots_, faceNumbers.mark(), slotNumbers.mark(), nextId, circleCount, visibleCount,
           faceCount,  sizes};
 }
 
 void EditState::rollBack(const Mark& mark) noexcept {
-  while (siteLog.size() > mark.sites) {
-    const SavedSite& saved = siteLog.back();
+  while (slotLog.size() > mark.slots) {
+    const SavedSlot& saved = slotLog.back();
     const int slot = saved.slot;
-    if (saved.site.id == kNone && sites[at(slot)].id != kNone) ids.remove(sites[at(slot)].id);
-    sites[at(slot)] = saved.site;
+    if (saved.data.id == kNone && slots[at(slot)].id != kNone) ids.remove(slots[at(slot)].id);
+    slots[at(slot)] = saved.data;
     circles[at(slot)] = saved.circle;
     hasNoCell[at(slot)] = saved.hasNoCell;
-    savedSiteAt_[at(slot)] = saved.before;
-    siteLog.pop_back();
+    savedSlotAt_[at(slot)] = saved.before;
+    slotLog.pop_back();
   }
   for (std::size_t i = faceLog.size(); i-- > mark.faces;) {
     const SavedFace& saved = faceLog[i];
@@ -154,7 +154,7 @@ void EditState::rollBack(const Mark& mark) noexcept {
   for (std::size_t i = mark.faces; i < faceLog.size(); ++i) noteEdgesOf(faceLog[i].face);
   faceLog.resize(mark.faces);
   faceNumbers.rollBack(mark.faceNumbers);
-  siteNumbers.rollBack(mark.siteNumbers);
+  slotNumbers.rollBack(mark.slotNumbers);
   nextId = mark.nextId;
   circleCount = mark.circleCount;
   visibleCount = mark.visibleCount;
@@ -173,21 +173,21 @@ void EditState::noteEdges() {
 
 void EditState::prepareToCommit() {
   faceNumbers.prepare();
-  siteNumbers.prepare();
+  slotNumbers.prepare();
   edgeNumbers.prepare();
 }
 
 void EditState::commit() noexcept {
-  for (const SavedSite& saved : siteLog) {
-    const CircleId id = saved.site.id;
-    if (id != kNone && sites[at(saved.slot)].id != id && ids.slotOf(id) != kNone) ids.remove(id);
-    savedSiteAt_[at(saved.slot)] = kNone;
+  for (const SavedSlot& saved : slotLog) {
+    const CircleId id = saved.data.id;
+    if (id != kNone && slots[at(saved.slot)].id != id && ids.slotOf(id) != kNone) ids.remove(id);
+    savedSlotAt_[at(saved.slot)] = kNone;
   }
   for (const SavedFace& saved : faceLog) savedFaceAt_[at(saved.face)] = kNone;
-  siteLog.clear();
+  slotLog.clear();
   faceLog.clear();
   faceNumbers.commit();
-  siteNumbers.commit();
+  slotNumbers.commit();
   edgeNumbers.commit();
   committed_ = beginStep();
 }

@@ -26,14 +26,14 @@ namespace circle_voronoi {
 
 /// The data that an editor keeps about the circle in a slot, besides the circle itself. A hidden circle is in the list
 /// of one visible circle that contains it.
-struct Site {
+struct Slot {
   CircleId id;              ///< kNone if the slot is free
   int hider = kNone;        ///< for a hidden circle, the slot in whose list it is
   int firstHidden = kNone;  ///< for a visible circle, the first slot in its list
   int next = kNone;
   int previous = kNone;
 
-  friend bool operator==(const Site&, const Site&) = default;
+  friend bool operator==(const Slot&, const Slot&) = default;
 };
 
 /// The numbers of circles by size: those with a number from kSmallestInput up, and those without one that are not all
@@ -53,7 +53,7 @@ struct SizeCounts {
 /// The whole diagram of an editor, and a log to undo the changes since its last commit.
 ///
 /// Circles are in slots, rounded (limits.h). Vertices are faces of the dual, including those at infinity. Free numbers
-/// are reused, so that arrays have few gaps. Announce a change of a face or a site before you make it.
+/// are reused, so that arrays have few gaps. Announce a change of a face or a slot before you make it.
 class EditState final : public DualKeeper {
  public:
   EditState() : predicates(circles), discs(circles, dual, predicates) {}
@@ -62,7 +62,7 @@ class EditState final : public DualKeeper {
 
   // For each slot.
   std::vector<Circle> circles;
-  std::vector<Site> sites;
+  std::vector<Slot> slots;
   std::vector<char> hasNoCell;  ///< whether the circle is hidden or the slot is free
   std::vector<int> edgeOf;      ///< for a visible circle, a half-edge that starts from it, if there is one
 
@@ -84,10 +84,10 @@ class EditState final : public DualKeeper {
   /// Reports the faces that change to an observer, if there is one.
   FaceReporter* reporter = nullptr;
   NumberPool faceNumbers;
-  NumberPool siteNumbers;
+  NumberPool slotNumbers;
   NumberPool edgeNumbers;
 
-  bool isVisible(int slot) const { return sites[at(slot)].id != kNone && !hasNoCell[at(slot)]; }
+  bool isVisible(int slot) const { return slots[at(slot)].id != kNone && !hasNoCell[at(slot)]; }
   bool isInUse(int face) const { return dual.twin[at(3 * face)] != kNone; }
   /// Returns whether a face is a vertex of the diagram.
   bool isVertex(int face) const { return isInUse(face) && dual.isFinite(face); }
@@ -101,9 +101,9 @@ class EditState final : public DualKeeper {
   /// the other.
   bool hides(int slot, int other) {
     return predicates.contains(circles[at(slot)], circles[at(other)]) &&
-           !(circles[at(slot)] == circles[at(other)] && sites[at(slot)].id > sites[at(other)].id);
+           !(circles[at(slot)] == circles[at(other)] && slots[at(slot)].id > slots[at(other)].id);
   }
-  CircleId idOf(int corner) const { return corner == kPointAtInfinity ? CircleId() : sites[at(corner)].id; }
+  CircleId idOf(int corner) const { return corner == kPointAtInfinity ? CircleId() : slots[at(corner)].id; }
   LiveDual live() { return {dual, discs, edgeOf, hasNoCell, *this}; }
 
   // --- changes ---
@@ -111,10 +111,10 @@ class EditState final : public DualKeeper {
   int addFace() override;
   void removeFace(int face) override;
   void willChange(int face) override;
-  void willHide(int slot) override { willChangeSite(slot); }
+  void willHide(int slot) override { willChangeSlot(slot); }
   void replaceEdge(int, int) override {}
   void dropEdge(int) override {}
-  void willChangeSite(int slot);
+  void willChangeSlot(int slot);
 
   void noteEdge(int h) {
     if (dual.origin[at(h)] != kPointAtInfinity) edgeOf[at(dual.origin[at(h)])] = h;
@@ -125,8 +125,8 @@ class EditState final : public DualKeeper {
   /// Returns whether an id belongs to a circle that was removed before the last commit.
   bool isFormer(CircleId id) const { return id >= 0 && id < nextId && ids.slotOf(id) == kNone; }
   /// Adds a circle with a former id, or with a new one for kNone. Returns its slot.
-  int addSite(const Circle& circle, CircleId id);
-  void removeSite(int slot);
+  int addSlot(const Circle& circle, CircleId id);
+  void removeSlot(int slot);
   /// Changes the circle in a slot.
   void setCircle(int slot, const Circle& circle);
   /// Puts a circle into the list of a visible circle that contains it.
@@ -152,33 +152,33 @@ class EditState final : public DualKeeper {
              origin[2] != kPointAtInfinity;
     }
   };
-  struct SavedSite {
+  struct SavedSlot {
     int slot;
     int before;
-    Site site;
+    Slot data;
     Circle circle;
     char hasNoCell;
 
-    bool wasVisible() const { return site.id != kNone && !hasNoCell; }
+    bool wasVisible() const { return data.id != kNone && !hasNoCell; }
   };
-  /// The former state of the parts that have changed since the last commit. Each step saves a face or site at most
+  /// The former state of the parts that have changed since the last commit. Each step saves a face or slot at most
   /// once.
   std::vector<SavedFace> faceLog;
-  std::vector<SavedSite> siteLog;
+  std::vector<SavedSlot> slotLog;
 
   /// A state within the log that `rollBack` can return to.
   struct Mark {
     std::size_t faces;
-    std::size_t sites;
+    std::size_t slots;
     NumberPool::Mark faceNumbers;
-    NumberPool::Mark siteNumbers;
+    NumberPool::Mark slotNumbers;
     CircleId nextId;
     int circleCount;
     int visibleCount;
     int faceCount;
     SizeCounts sizes;
   };
-  /// Begins a step: from now on, faces and sites are saved again before they change.
+  /// Begins a step: from now on, faces and slots are saved again before they change.
   Mark beginStep();
   void rollBack(const Mark& mark) noexcept;
   const SavedFace* savedInStep(int face) const { return find(faceLog, savedFaceAt_[at(face)], stepFaces_); }
@@ -189,7 +189,7 @@ class EditState final : public DualKeeper {
     return find(faceLog, entry, 0);
   }
   std::size_t stepFaces() const { return stepFaces_; }
-  std::size_t stepSites() const { return stepSites_; }
+  std::size_t stepSlots() const { return stepSlots_; }
 
   /// Sets `edgeOf` for all corners of the faces that have changed in this step.
   void noteEdges();
@@ -212,9 +212,9 @@ class EditState final : public DualKeeper {
   }
 
   std::vector<int> savedFaceAt_;  ///< for each face its last place in the log, or kNone
-  std::vector<int> savedSiteAt_;
+  std::vector<int> savedSlotAt_;
   std::size_t stepFaces_ = 0;
-  std::size_t stepSites_ = 0;
+  std::size_t stepSlots_ = 0;
   Mark committed_ = beginStep();
 };
 

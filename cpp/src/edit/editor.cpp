@@ -77,7 +77,7 @@ class DiagramEditor::Editor {
   /// Returns the slot of a circle, or kNone. A circle that was removed in the same batch has none.
   int slotOf(CircleId id) const {
     const int slot = state_->ids.slotOf(id);
-    return slot != kNone && state_->sites[at(slot)].id == id ? slot : kNone;
+    return slot != kNone && state_->slots[at(slot)].id == id ? slot : kNone;
   }
 
   /// Sets the observer, and records all faces for it. While an observer is called, this waits until the call returns.
@@ -251,8 +251,8 @@ class DiagramEditor::Editor {
   std::optional<Error> refusalOfRest() const {
     if (!state_->sizes.areTooSmall()) return std::nullopt;
     double largest = 0;
-    for (std::size_t slot = 0; slot < state_->sites.size(); ++slot) {
-      if (state_->sites[slot].id != kNone) largest = std::max(largest, largestNumber(state_->circles[slot]));
+    for (std::size_t slot = 0; slot < state_->slots.size(); ++slot) {
+      if (state_->slots[slot].id != kNone) largest = std::max(largest, largestNumber(state_->circles[slot]));
     }
     return tooSmallError(largest, "The circles that are left");
   }

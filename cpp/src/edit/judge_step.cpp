@@ -12,7 +12,7 @@ StepVerdict StepJudge::judge(EditState& state, int moved) {
   unsettled_.clear();
   for (const int slot : touched_) turns_[at(slot)] = 0;  // in case memory ran out the last time
   touched_.clear();
-  turns_.resize(state.sites.size());
+  turns_.resize(state.slots.size());
   hullTurns_ = 0;
   const int faceCount = state.visibleCount < 2 ? 0 : 2 * state.visibleCount - 2;
   if (state.faceCount != faceCount) return StepVerdict::broken;
@@ -96,8 +96,8 @@ bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
 
 /// Checks that each visible region, and the hull, still makes one full turn.
 bool StepJudge::areTurnsRight(const EditState& state) {
-  for (std::size_t i = state.stepSites(); i < state.siteLog.size(); ++i) {
-    const EditState::SavedSite& saved = state.siteLog[i];
+  for (std::size_t i = state.stepSlots(); i < state.slotLog.size(); ++i) {
+    const EditState::SavedSlot& saved = state.slotLog[i];
     touched_.push_back(saved.slot);
     turns_[at(saved.slot)] -= static_cast<int>(state.isVisible(saved.slot)) - static_cast<int>(saved.wasVisible());
   }
@@ -112,17 +112,17 @@ bool StepJudge::areTurnsRight(const EditState& state) {
 /// Checks that each hidden circle that may have changed is in the list of a visible circle that contains it.
 bool StepJudge::areCirclesRight(EditState& state, int moved) const {
   const auto isRightlyHidden = [&](int slot) {
-    const int hider = state.sites[at(slot)].hider;
+    const int hider = state.slots[at(slot)].hider;
     return hider != kNone && state.isVisible(hider) && state.hides(hider, slot);
   };
-  for (std::size_t i = state.stepSites(); i < state.siteLog.size(); ++i) {
-    const int slot = state.siteLog[i].slot;
+  for (std::size_t i = state.stepSlots(); i < state.slotLog.size(); ++i) {
+    const int slot = state.slotLog[i].slot;
     if (state.isVisible(slot)) continue;
-    const Site& site = state.sites[at(slot)];
-    if (site.firstHidden != kNone || (site.id != kNone && !isRightlyHidden(slot))) return false;
+    const Slot& data = state.slots[at(slot)];
+    if (data.firstHidden != kNone || (data.id != kNone && !isRightlyHidden(slot))) return false;
   }
   if (moved == kNone) return true;
-  for (int slot = state.sites[at(moved)].firstHidden; slot != kNone; slot = state.sites[at(slot)].next) {
+  for (int slot = state.slots[at(moved)].firstHidden; slot != kNone; slot = state.slots[at(slot)].next) {
     if (!isRightlyHidden(slot)) return false;
   }
   return true;

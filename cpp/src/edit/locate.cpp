@@ -53,7 +53,7 @@ int nearestSpoke(const EditState& state, int h, Point p, int most = std::numeric
 }
 
 bool isThere(const EditState& state, int slot) {
-  return slot >= 0 && slot < static_cast<int>(state.sites.size()) && state.isVisible(slot);
+  return slot >= 0 && slot < static_cast<int>(state.slots.size()) && state.isVisible(slot);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ Location Locator::locate(const EditState& state, Point p, int hint) const {
       least = distance;
     }
   }
-  for (int i = 0; slot == kNone && i < static_cast<int>(state.sites.size()); ++i) {
+  for (int i = 0; slot == kNone && i < static_cast<int>(state.slots.size()); ++i) {
     if (state.isVisible(i)) slot = i;
   }
   if (slot == kNone) return {};
@@ -155,7 +155,7 @@ int Locator::listedToward(const EditState& state, int slot, Vector ray) const {
 /// Lists the half-edges around the circles that have many.
 void Locator::listSpokes(const EditState& state) {
   spokes_.clear();
-  std::vector<int> counts(state.sites.size(), 0);
+  std::vector<int> counts(state.slots.size(), 0);
   for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
     const int slot = state.dual.origin[at(h)];
     if (slot == kPointAtInfinity || !state.isInUse(h / 3) || ++counts[at(slot)] != kFewSpokes + 1) continue;
@@ -182,7 +182,7 @@ void Locator::fill(const EditState& state) {
   steps_ = 0;
   listSpokes(state);
   std::vector<BucketGrid::Item> starts;
-  for (int i = 0; i < static_cast<int>(state.sites.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(state.slots.size()); ++i) {
     if (state.isVisible(i)) starts.push_back({centerOf(state.circles[at(i)]), i});
   }
   starts_ = BucketGrid(starts);

@@ -50,7 +50,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
   State result;
   Sites& sites = result.sites;
   OrderedCircles hidden;
-  std::vector<int> siteOf(state.sites.size(), kNone);
+  std::vector<int> siteOf(state.slots.size(), kNone);
   for (std::size_t i = 0; i < ordered.circles.size(); ++i) {
     const int rank = ordered.indices[i];
     const int slot = slotOf[static_cast<std::size_t>(rank)];
@@ -90,7 +90,7 @@ SnapshotNumbers numbersOf(const EditState& state) {
   numbers.circles.reserve(static_cast<std::size_t>(state.circleCount));
   state.ids.forEach([&](CircleId id, int slot) {
     numbers.circles.push_back(id);
-    if (!state.isVisible(slot)) numbers.hiders.push_back(state.sites[at(state.sites[at(slot)].hider)].id);
+    if (!state.isVisible(slot)) numbers.hiders.push_back(state.slots[at(state.slots[at(slot)].hider)].id);
   });
   // This is the order of topologyOf, because gaps do not change it.
   for (int face = 0; face < state.dual.faceCount(); ++face) {

@@ -32,7 +32,7 @@ bool covers(const Circle& outer, const Circle& inner) {
 std::optional<EditWay> Stepper::insert(const Circle& circle, CircleId id, int hint) {
   if (coversMany(circle)) return std::nullopt;
   begin();
-  const int slot = state_.addSite(circle, id);
+  const int slot = state_.addSlot(circle, id);
   reportCircle(TraceKind::circleInserted, slot, circle);
   if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
   return certify(kNone);
@@ -43,14 +43,14 @@ std::optional<EditWay> Stepper::remove(int slot) {
   if (!state_.isVisible(slot)) {
     state_.detach(slot);
     reportCircle(TraceKind::circleRemoved, slot, state_.circles[at(slot)]);
-    state_.removeSite(slot);
+    state_.removeSlot(slot);
     return certify(kNone);
   }
   const int hint = neighborOf(slot);
   if (!takeOut(slot) || !releaseHidden(slot, kNone)) return std::nullopt;
   if (!waiting_.empty()) mendForInsertion();
   reportCircle(TraceKind::circleRemoved, slot, state_.circles[at(slot)]);
-  state_.removeSite(slot);
+  state_.removeSlot(slot);
   if (!putWaiting(hint)) return std::nullopt;
   return certify(kNone);
 }
@@ -71,7 +71,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
     if (!takeOut(slot)) return std::nullopt;
     mendForInsertion();
   } else {
-    hint = state_.sites[at(slot)].hider;
+    hint = state_.slots[at(slot)].hider;
     state_.detach(slot);
   }
   reportCircle(TraceKind::circleReplaced, slot, circle);
@@ -109,13 +109,13 @@ bool Stepper::put(int slot, int hint) {
     state_.attach(slot, hider);
     return true;
   }
-  state_.willChangeSite(slot);
+  state_.willChangeSlot(slot);
   state_.hasNoCell[at(slot)] = 0;
   ++state_.visibleCount;
   for (const int hidden : inserter_.hidden()) {
     --state_.visibleCount;
-    while (state_.sites[at(hidden)].firstHidden != kNone) {
-      const int inner = state_.sites[at(hidden)].firstHidden;
+    while (state_.slots[at(hidden)].firstHidden != kNone) {
+      const int inner = state_.slots[at(hidden)].firstHidden;
       state_.detach(inner);
       state_.attach(inner, slot);
     }
@@ -144,7 +144,7 @@ bool Stepper::takeOut(int slot) {
     state_.reporter->setShrinking(kPointAtInfinity);
   }
   --state_.visibleCount;
-  state_.willChangeSite(slot);
+  state_.willChangeSlot(slot);
   state_.hasNoCell[at(slot)] = 1;
   return true;
 }
@@ -155,14 +155,14 @@ void Stepper::mendForInsertion() {
 }
 
 /// Returns the circle itself if it is visible, otherwise its hider.
-int Stepper::hiderBy(int slot) const { return state_.isVisible(slot) ? slot : state_.sites[at(slot)].hider; }
+int Stepper::hiderBy(int slot) const { return state_.isVisible(slot) ? slot : state_.slots[at(slot)].hider; }
 
 /// Moves the circles in the list of `slot` to the list of `hider`, which may be the same circle. The circles that
 /// `hider` does not hide wait. Returns whether these are few enough.
 bool Stepper::releaseHidden(int slot, int hider) {
   const std::size_t most = kFew + static_cast<std::size_t>(state_.circleCount / kShownShare);
-  for (int inner = state_.sites[at(slot)].firstHidden; inner != kNone;) {
-    const int next = state_.sites[at(inner)].next;
+  for (int inner = state_.slots[at(slot)].firstHidden; inner != kNone;) {
+    const int next = state_.slots[at(inner)].next;
     const bool isHidden = hider != kNone && state_.hides(hider, inner);
     if (!isHidden || hider != slot) state_.detach(inner);
     if (!isHidden) {
@@ -179,7 +179,7 @@ bool Stepper::releaseHidden(int slot, int hider) {
 /// Returns whether a circle covers so large a share of the visible circles that the whole diagram must be computed. A
 /// sample gives an estimate.
 bool Stepper::coversMany(const Circle& circle) const {
-  const std::size_t slots = state_.sites.size();
+  const std::size_t slots = state_.slots.size();
   const std::size_t sample = std::min(slots, kSample);
   std::size_t covered = 0;
   for (std::size_t i = 0; i < sample; ++i) {
@@ -191,7 +191,7 @@ bool Stepper::coversMany(const Circle& circle) const {
 
 /// Puts the waiting circles, the largest first, so that none hides one that was put before. Returns true on success.
 bool Stepper::putWaiting(int hint) {
-  const auto rank = [&](int slot) { return std::tuple(-state_.circles[at(slot)].r, state_.sites[at(slot)].id); };
+  const auto rank = [&](int slot) { return std::tuple(-state_.circles[at(slot)].r, state_.slots[at(slot)].id); };
   std::sort(waiting_.begin(), waiting_.end(), [&](int a, int b) { return rank(a) < rank(b); });
   bool isWell = true;
   for (std::size_t i = 0; i < waiting_.size() && isWell; ++i) isWell = put(waiting_[i], hint);
