@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { reasonOf, receivedError } from '../lib/base/errors.ts'
+import { loadedOnce } from '../lib/base/loaded-once.ts'
 import { Channel, type Functions, type ThreadEvents } from '../lib/threads/channel.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { webThread } from '../lib/threads/web-thread.ts'
 import { compileCircleVoronoi } from '../lib/wasm/load-options.ts'
-import { type FigureLoadOptions, otherModules } from './load.ts'
+import type { CompiledWasm } from '../lib/wasm/wasm.ts'
+import { type FigureLoadOptions, type OtherModules, otherModules } from './load.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type { ComputingRequests, PainterEvents, PainterRequests } from './protocol.ts'
 import { Failure, Superseded } from './refusal.ts'
@@ -25,7 +27,7 @@ import {
  * opening or edit starts another one.
  */
 export class Painter {
-  readonly #options: FigureLoadOptions
+  readonly #modules: () => Promise<[CompiledWasm, OtherModules]>
   readonly #scenes = new Map<number, SceneClient>()
   #channel: Channel<PainterRequests, PainterEvents> | undefined
   /** Whether the thread has painted a picture or answered a view. */
@@ -59,7 +61,7 @@ export class Painter {
   }
 
   constructor(options: FigureLoadOptions = {}) {
-    this.#options = options
+    this.#modules = loadedOnce(() => Promise.all([compileCircleVoronoi(options), otherModules(options)]))
     try {
       this.#start(false)
     } catch {
@@ -89,9 +91,9 @@ export class Painter {
         if (this.#channel === channel) this.#fail(reason)
       },
       {
-        painted: ({ scene, ...painted }) => {
-          if (painted.isWhole) this.#hasWorked = true
-          this.#scenes.get(scene)?.events.painted(painted)
+        painted: (painted) => {
+          this.#hasWorked ||= painted.isWhole
+          this.#scenes.get(painted.scene)?.events.painted(painted)
         },
         found: ({ scene, found }) => this.#scenes.get(scene)?.events.found(found),
         outlined: ({ scene, marks }) => this.#scenes.get(scene)?.events.marked(marks),
@@ -117,7 +119,7 @@ export class Painter {
     try {
       const crash = (cause: unknown) => onFailure((words) => (cause === undefined ? words.noThread : reasonOf(cause)))
       const channel = new Channel<Requests, Events>(start, crash, onEvent)
-      Promise.all([compileCircleVoronoi(this.#options), otherModules(this.#options)])
+      this.#modules()
         .then((modules) => channel.request('start', modules as Parameters<Requests['start']>))
         .catch((error) => onFailure(() => reasonOf(error)))
       return channel

@@ -206,9 +206,8 @@ export class SceneClient {
       // Drops an answer about circles that have been replaced since the question.
       return ABOUT_KNOWN.has(name) && this.#circles !== circles ? undefined : (answer as Answer<Name>)
     } catch (error) {
-      if (!(error instanceof CircleVoronoiError)) return undefined
-      if (!isUnexpected(error)) throw error
-      this.events.failed(asFailure(error))
+      if (isUnexpected(error)) this.events.failed(asFailure(error))
+      else if (error instanceof CircleVoronoiError) throw error
       return undefined
     }
   }
