@@ -24,6 +24,9 @@ namespace {
 
 /// With at most this number of circles and sides nearby, all triples are tried.
 constexpr std::size_t kFew = 10;
+/// The same for a rectangle in which discs are larger than the best one by rounding at most, as between parallel sides.
+/// Without a limit of its own, it would be divided along its whole length down to rounding.
+constexpr std::size_t kFewOfTie = 30;
 /// Rectangles smaller than this share of the region are points up to rounding.
 constexpr double kFinestRectangle = 0x1p-50;
 /// Two sides are parallel if the sine of the angle between them is at most this.
@@ -409,7 +412,8 @@ class DiscSearch {
     divide(rectangle, first, thing, keepNearest(rectangle, distances, first));
     // Parts next to a side that are too small for a larger disc are left out before all discs are tried.
     const bool mayBeDivided = least <= reach && reach < 4 * radius_;
-    if (rectangle.near.size() <= kFew && !mayBeDivided) {
+    const bool isTie = rectangle.most <= radius_ + 2 * kRoundingOfBound;
+    if (rectangle.near.size() <= (isTie ? kFewOfTie : kFew) && !mayBeDivided) {
       tryAll(rectangle);
       return;
     }
