@@ -86,9 +86,26 @@ export function surround() {
   return { media }
 }
 
-/** The view of the page that runs. Its timers must not outlive the document. */
+/** The view of the page that runs. */
 let shown: View | undefined
-const end = () => shown?.dispose()
+
+/** The timers of pages. */
+const timers = new Set<ReturnType<typeof setTimeout>>()
+const begin = setTimeout
+Object.assign(globalThis, {
+  setTimeout: (...args: Parameters<typeof setTimeout>) => {
+    const timer = begin(...args)
+    timers.add(timer)
+    return timer
+  },
+})
+
+/** Ends the page that runs. Its timers must not outlive the document. */
+function end(): void {
+  for (const timer of timers) clearTimeout(timer)
+  timers.clear()
+  shown?.dispose()
+}
 afterAll(end)
 
 /** Starts the page, at a link, and returns what its controls act on once `main.ts` has run. */
