@@ -40,6 +40,8 @@ const SHARED = [
     entriesAwareMergeThreshold: 10_000,
   },
 ]
+/** The name of a shared file would list all entries that need it, in each file that imports it. */
+const chunkFileNames = ({ name }: { name: string }) => `assets/${name.replace(/^shared~.*/, 'shared')}-[hash].js`
 const PAGE = fileURLToPath(new URL('build/page', import.meta.url))
 /** The folder of the built site. */
 const SITE = fileURLToPath(new URL('dist/site', import.meta.url))
@@ -143,7 +145,7 @@ export default defineConfig(({ isPreview }) => ({
     cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
-    rolldownOptions: { input: PAGES, output: { codeSplitting: { groups: SHARED } } },
+    rolldownOptions: { input: PAGES, output: { codeSplitting: { groups: SHARED }, chunkFileNames } },
   },
   worker: { format: 'es' },
   // The time limit is for hanging tests. On a busy machine a test of many random inputs may take long.
