@@ -14,6 +14,7 @@ import { type PlayerWords, ENGLISH_PLAYER as WORDS } from '../../web/player/word
 import { NO_DOMAIN } from '../../web/view/domain.ts'
 import { traced } from '../../web/view/painter/traced.ts'
 import { all, control, controls, send, textOf } from './page-document.ts'
+import { ThreadHere } from './page-threads.ts'
 import { newFigure } from './whole-figure.ts'
 import { quiet, soon, surround } from './whole-page.ts'
 
@@ -254,6 +255,23 @@ describe('keys in the player', () => {
     await key('x')
     expect(reached).toEqual(['x'])
   })
+})
+
+it('a player that begins anew ends the thread of its former trace', async () => {
+  await quiet()
+  const [painting] = ThreadHere.running
+  // No message arrives meanwhile.
+  const briefly = async () => {
+    for (let turn = 0; turn < 50; turn++) await Promise.resolve()
+  }
+  for (const circles of [SIX, SIX.slice(3)]) {
+    await figure.open(scene(circles))
+    vi.advanceTimersByTime(150)
+    await briefly()
+    expect(ThreadHere.running.size).toBe(2)
+  }
+  figure.stepping.restart()
+  expect([...ThreadHere.running]).toEqual([painting])
 })
 
 describe('a player that is closed', () => {

@@ -89,7 +89,8 @@ class MethodPlayer implements Player {
   readonly #resized: ResizeObserver
   /** Read from the style sheet on first use. */
   #colors: Colors | undefined
-  #run = 0
+  /** Aborted when the trace that is loading is outdated. */
+  #loading = new AbortController()
   /** Whether the trace of the current circles is loading. */
   #isLoading = false
   ready: Promise<void>
@@ -174,7 +175,7 @@ class MethodPlayer implements Player {
   dispose(): void {
     this.#isPlaying = false
     this.#playback.stop()
-    this.#run += 1
+    this.#loading.abort()
     this.#watching.abort()
     for (const end of this.#unlisten) end()
     this.#resized.disconnect()
@@ -198,23 +199,24 @@ class MethodPlayer implements Player {
 
   /** Loads the trace once `rest` milliseconds pass without another request. The old explanation stays until then. */
   #load(rest: number): Promise<void> {
-    this.#run += 1
+    this.#loading.abort()
+    this.#loading = new AbortController()
     this.#isLoading = true
     this.#view.overlays = []
-    const loaded = this.#loaded(this.#run, rest)
+    const loaded = this.#loaded(this.#loading.signal, rest)
     // Callers that need the reason await `ready`; other callers must not cause an unhandled rejection.
     loaded.catch(() => {})
     return loaded
   }
 
-  async #loaded(run: number, rest: number): Promise<void> {
+  async #loaded(signal: AbortSignal, rest: number): Promise<void> {
     // A player that is about to close has no step.
     let isWanted = false
     try {
       if (rest > 0) await new Promise((resolve) => setTimeout(resolve, rest))
-      if (run !== this.#run) return
-      const traced = await this.#view.ask('trace', [this.#options])
-      if (run !== this.#run) return
+      if (signal.aborted) return
+      const traced = await this.#view.ask('trace', [this.#options], signal)
+      if (signal.aborted) return
       if (traced === undefined) throw new Error(this.#words.notRun)
       const trace = new Trace(new Diagram(traced.diagram), traced.events)
       this.#given = traced
@@ -234,7 +236,7 @@ class MethodPlayer implements Player {
       this.#showsResult(this.#shown === this.#steps.length - 1)
       if (this.#isPlaying) this.#start()
     } catch (error) {
-      if (run !== this.#run) return
+      if (signal.aborted) return
       this.#trace = undefined
       this.#steps = []
       this.#isLoading = false
@@ -243,7 +245,7 @@ class MethodPlayer implements Player {
       this.#problem = this.#words.localized?.(error as Error) ?? (error as Error).message
       throw error
     } finally {
-      if (run === this.#run) this.#draw()
+      if (!signal.aborted) this.#draw()
     }
     if (isWanted) this.#onstep(this.#shown, this.#steps.length)
   }
