@@ -9,7 +9,7 @@ import type { ToThread } from '../../web/lib/threads/channel.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Painter } from '../../web/view/painter.ts'
 import type { Facts, PainterRequests } from '../../web/view/protocol.ts'
-import { Failure, Superseded } from '../../web/view/refusal.ts'
+import { ENGLISH_REFUSALS, Failure, Superseded } from '../../web/view/refusal.ts'
 import type { PictureEvents, SceneClient } from '../../web/view/scene-client.ts'
 import { styleOf } from '../../web/view/style.ts'
 import { action as actionOf, editOf } from './arbitrary-circles.ts'
@@ -43,6 +43,8 @@ const NOTHING = undefined as never
 const BIG = 1n as never
 const WRONG = {
   open: (one: SceneClient) => one.open(NOTHING),
+  // The thread has the other circles before the error.
+  reopen: (one: SceneClient) => one.open(Float64Array.of(7, 7, 1), { colors: null as never }),
   // The editor makes the edit before the error.
   edit: (one: SceneClient) => one.edit([{ kind: 'insert', circle: [3, 9, 1] }], { colors: null as never }),
   room: (one: SceneClient) => one.ask('room', [BIG, BIG]),
@@ -217,7 +219,7 @@ describe('an error in a request', () => {
     await Promise.all([one.open(TWO), other.open(TWO)])
     const answer = await Promise.resolve(act(one)).catch((error) => error)
     await quiet()
-    const isChange = name === 'open' || name === 'edit'
+    const isChange = ['open', 'reopen', 'edit'].includes(name)
     const unexpected = expect.objectContaining({ code: 'internal' })
     expect([answer, failures[0]]).toEqual(isChange ? [unexpected, undefined] : [undefined, unexpected])
     // Views refuse wrong layers, with which nothing could be drawn.
@@ -332,4 +334,114 @@ it('a long computation is canceled, and another one goes on', async () => {
   painter.dispose()
   await quiet()
   expect(ThreadHere.running.size).toBe(0)
+})
+
+it('an edit of circles whose replacement failed is for none, and the next one is made', async () => {
+  const painter = new Painter()
+  const scene = painter.add(listener([]))
+  await scene.open(TWO)
+  const replaced = WRONG.reopen(scene)
+  const edited = scene.edit([{ kind: 'insert', circle: [4, 7, 1] }])
+  await expect(replaced).rejects.toMatchObject({ code: 'internal' })
+  await expect(edited).rejects.toThrow(Superseded)
+  expect([...(await scene.edit([{ kind: 'insert', circle: [4, 7, 1] }])).inserted]).toEqual([2])
+  expect((await scene.ask('tell', [[0]]))?.cells.get(0)).toMatchObject({ x: 0, y: 0, r: 1 })
+  painter.dispose()
+})
+
+it('the highlights of a scene that is closed are not told any more', async () => {
+  const painter = new Painter()
+  const marked = vi.fn()
+  const scene = painter.add({ ...listener([]), marked })
+  await scene.open(TWO)
+  scene.mark(0, undefined)
+  scene.close()
+  await quiet()
+  expect(marked).not.toHaveBeenCalled()
+  painter.dispose()
+})
+
+describe('a computation', () => {
+  it.each(['compute', 'trace'] as const)('%s whose thread crashes or cannot start says so', async (name) => {
+    vi.stubGlobal('Worker', CrashingThread)
+    crashesAt = name as never
+    const failures: unknown[] = []
+    const painter = new Painter()
+    const scene = painter.add(listener(failures))
+    await scene.open(TWO)
+    expect(await scene.ask(name, [{}])).toBeUndefined()
+    expect(failures).toEqual([expect.any(Failure)])
+    vi.stubGlobal('Worker', () => {})
+    expect(await scene.ask(name, [{}])).toBeUndefined()
+    expect(failures).toEqual([expect.any(Failure), expect.any(Failure)])
+    vi.stubGlobal('Worker', ThreadHere)
+    expect(await scene.ask(name, [{}])).toBeDefined()
+    expect(ThreadHere.running.size).toBe(1)
+    // The view that ends its own computation needs no reason.
+    const closed = scene.ask(name, [{}])
+    painter.dispose()
+    expect(await closed).toBeUndefined()
+    expect([failures.length, ThreadHere.running.size]).toEqual([2, 0])
+  })
+
+  it('whose options cannot be sent leaves no thread', async () => {
+    const painter = new Painter()
+    const scene = painter.add(listener([]))
+    await scene.open(TWO)
+    await scene.ask('compute', [{ progress: () => true }]).catch(() => {})
+    expect(ThreadHere.running.size).toBe(1)
+    painter.dispose()
+  })
+
+  it('is no sign that the painting thread works', async () => {
+    const failures: Error[] = []
+    const painter = new Painter()
+    const scene = painter.add({ ...listener([]), failed: (failure) => failures.push(failure) })
+    await scene.open(TWO)
+    crash()
+    expect(await scene.ask('compute', [{}])).toBeDefined()
+    crash()
+    expect([failures.length, ThreadHere.running.size]).toEqual([2, 0])
+    painter.dispose()
+  })
+
+  it('has the images of circles that repeat, and a trace has the circles', async () => {
+    const { library } = await import('./library.ts')
+    const painter = new Painter()
+    const scene = painter.add(listener([]))
+    const lattice = { a: [12, 0], b: [0, 9] } as const
+    const circles = Float64Array.of(1, 1, 1, 6, 4, 2, 10, 2, 1.5)
+    const { diagram } = library.computePeriodic(circles, lattice)
+    await scene.open(circles, { lattice })
+    const { counts } = library.compute(diagram.circles).stats
+    expect(await scene.ask('compute', [{}])).toMatchObject({ stats: { counts }, certificate: { certified: true } })
+    expect(await scene.ask('trace', [{}])).toMatchObject({ circles, ids: Int32Array.of(0, 1, 2) })
+    await scene.edit([], { lattice: null })
+    const plane = library.compute(circles).stats
+    expect(await scene.ask('compute', [{}])).toMatchObject({ stats: { counts: plane.counts } })
+    painter.dispose()
+  })
+})
+
+it('where no thread follows one that crashes, the views are told', async () => {
+  const failures: Error[] = []
+  const painter = new Painter()
+  const scene = painter.add({ ...listener([]), failed: (failure) => failures.push(failure) })
+  await scene.open(TWO)
+  vi.stubGlobal('Worker', () => {})
+  expect(crash).not.toThrow()
+  expect(failures).toEqual([expect.any(Failure)])
+  vi.stubGlobal('Worker', ThreadHere)
+  expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([2])
+  painter.dispose()
+})
+
+it('a thread whose file cannot be loaded is told in the language of the view', async () => {
+  const failures: Error[] = []
+  const painter = new Painter()
+  const scene = painter.add({ ...listener([]), failed: (failure) => failures.push(failure) })
+  await scene.open(TWO)
+  for (const thread of ThreadHere.running) thread.onerror?.({ message: undefined as never })
+  expect((failures[0] as Failure).say({ ...ENGLISH_REFUSALS, noThread: 'DATEI' })).toContain('DATEI')
+  painter.dispose()
 })

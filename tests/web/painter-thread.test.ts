@@ -122,6 +122,34 @@ it('what is found is told once, also where the rest after circles were opened is
   }
 })
 
+it('a search that an edit has overtaken tells nothing', async () => {
+  await openScene(8)
+  let now = performance.now()
+  const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
+    now += 20
+    return now
+  })
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+  try {
+    const found = () => eventsOf('found', 8)
+    send('layers', 8, { ...DEFAULT_LAYERS, hull: true }, true)
+    await vi.waitFor(() => expect(found()).toHaveLength(1), SOON)
+    await ask('open', 8, 2, CIRCLES, undefined, {})
+    // The search begins, and its first step waits for the next slice.
+    vi.advanceTimersByTime(1000)
+    const edited = send('edit', 8, 2, [{ kind: 'remove', id: 2 }], {})
+    await vi.waitFor(() => expect(answerOf(edited)?.value).toMatchObject({ found: expect.anything() }), SOON)
+    await vi.advanceTimersByTimeAsync(1000)
+    await heard(8)
+    for (let turn = 0; turn < 20; turn++) await new Promise((resolve) => setImmediate(resolve))
+    expect(found()).toHaveLength(1)
+    send('close', 8)
+  } finally {
+    vi.useRealTimers()
+    clock.mockRestore()
+  }
+})
+
 describe('what stands out', () => {
   it('has other outlines where another box, or another scale, is looked at', async () => {
     await openScene(1)
@@ -210,9 +238,9 @@ describe('questions', () => {
     expect(await ask('trace', circles, ids, { edits: [{ kind: 'remove', id: 1 }] })).toMatchObject({
       error: { code: 'unknownCircle', circle: 1 },
     })
-    const computed = (await answer('compute', circles, ids, { method: 'flip' })) as object
+    const computed = (await answer('compute', circles, undefined, { method: 'flip' })) as object
     expect(Object.keys(computed).sort()).toEqual(['certificate', 'stats'])
-    expect(await answer('compute', circles, ids, { method: 'magic' as 'flip' })).toEqual({
+    expect(await answer('compute', circles, undefined, { method: 'magic' as 'flip' })).toEqual({
       problem: expect.any(String),
     })
   })

@@ -45,14 +45,18 @@ export class Painter {
     restart: () => {
       // A result that the user canceled needs no reason.
       this.#end(new Superseded())
-      this.#start(false)
+      this.#tryToStart(false)
     },
     compute: async (name, args, signal) => {
       const fail = (reason: Reason) => channel.end(failureFor(reason))
       const channel = this.#open<ComputingRequests, object>(fail, {})
-      const cancel = () => channel.end(signal.reason)
-      signal.addEventListener('abort', cancel)
-      return channel.request(name, args).finally(cancel)
+      const end = () => channel.end(signal.reason)
+      signal.addEventListener('abort', end)
+      try {
+        return await channel.request(name, args)
+      } finally {
+        end()
+      }
     },
     worked: () => {
       this.#hasWorked = true
@@ -62,11 +66,7 @@ export class Painter {
 
   constructor(options: FigureLoadOptions = {}) {
     this.#modules = loadedOnce(() => Promise.all([compileCircleVoronoi(options), otherModules(options)]))
-    try {
-      this.#start(false)
-    } catch {
-      // The first opening tries again, and reports the error.
-    }
+    this.#tryToStart(false)
   }
 
   /** Adds a scene for another view. */
@@ -133,10 +133,20 @@ export class Painter {
     // The callers of the rejected requests report a failure at the first start.
     const isTold = isAgain || this.#isRestarted
     this.#end(failureFor(reason))
-    if (isAgain) this.#start(true)
+    const continues = isAgain && this.#tryToStart(true)
     if (!isTold) return
-    const failure = new Failure((words) => words[isAgain ? 'drawingFailed' : 'drawingEnded'](reason(words)))
+    const failure = new Failure((words) => words[continues ? 'drawingFailed' : 'drawingEnded'](reason(words)))
     for (const { events } of this.#scenes.values()) events.failed(failure)
+  }
+
+  /** Starts a thread. Returns false if threads cannot be started: the next opening or edit reports the error. */
+  #tryToStart(isRestarted: boolean): boolean {
+    try {
+      this.#start(isRestarted)
+      return true
+    } catch {
+      return false
+    }
   }
 
   #end(failure: Error): void {

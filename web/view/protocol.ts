@@ -154,9 +154,11 @@ type SceneQuestions = {
   ) => ReturnType<Questions[Name]>
 }
 
-/** The functions of a computing thread. They take circles in ascending order of their ids. */
+/** The functions of a computing thread. */
 export interface ComputingRequests extends ThreadRequests {
-  compute(circles: Float64Array, ids: Int32Array, options: Options): Computed
+  /** Computes the diagram of the circles, and of their images if they repeat. */
+  compute(circles: Float64Array, lattice: Lattice | undefined, options: Options): Computed
+  /** Traces a method in the plane, without images. The circles are in ascending order of their ids. */
   trace(circles: Float64Array, ids: Int32Array, options: TraceOptions): Traced
 }
 

@@ -202,22 +202,30 @@ export class SceneClient {
     const circles = this.#circles
     try {
       const answer = await this.#requests.run(signal, ({ signal }) => this.#answerTo(name, args, signal))
-      this.#threads.worked()
       // Drops an answer about circles that have been replaced since the question.
       return ABOUT_KNOWN.has(name) && this.#circles !== circles ? undefined : (answer as Answer<Name>)
     } catch (error) {
-      if (isUnexpected(error)) this.events.failed(asFailure(error))
+      // The end of the painting thread is told once, to all scenes.
+      const isTold = this.#isClosed || (error instanceof Failure && !isComputation(name))
+      if (!isTold && (isUnexpected(error) || error instanceof Failure)) this.events.failed(asFailure(error))
       else if (error instanceof CircleVoronoiError) throw error
       return undefined
     }
   }
 
   async #answerTo(name: keyof Asked, args: readonly unknown[], signal: AbortSignal): Promise<unknown> {
-    if (name === 'compute' || name === 'trace') {
+    if (isComputation(name)) {
       const [options] = args as Parameters<Asked[typeof name]>
-      return this.#threads.compute(name, [this.#circles.circles(), this.#circles.ids(), options], signal)
+      const circles = this.#circles.circles()
+      return name === 'compute'
+        ? this.#threads.compute(name, [circles, this.#domain.lattice ?? undefined, options], signal)
+        : this.#threads.compute(name, [circles, this.#circles.ids(), options], signal)
     }
-    return this.#threads.channel()?.request(name, [this.#scene, ...args] as never, { signal })
+    const channel = this.#threads.channel()
+    if (channel === undefined) return undefined
+    const answer = await channel.request(name, [this.#scene, ...args] as never, { signal })
+    this.#threads.worked()
+    return answer
   }
 
   look(request: PaintRequest, style: Style): void {
@@ -250,7 +258,8 @@ export class SceneClient {
   ): void {
     if (this.#isClosed) return
     const answer = this.#threads.channel()?.request(name, args)
-    answer?.then(use).catch((error) => {
+    const useOpen = (value: ReturnType<PainterRequests[Name]>) => this.#isClosed || use(value)
+    answer?.then(useOpen).catch((error) => {
       // Other errors have ended the thread, which is told once.
       if (error instanceof CircleVoronoiError && !this.#isClosed) this.events.failed(asFailure(error))
     })
@@ -275,6 +284,10 @@ export class SceneClient {
     this.#send('open', [this.#scene, opening, this.#circles.circles(), keptIds, this.#domain])
     this.events.reopened()
   }
+}
+
+function isComputation(name: keyof Asked): name is keyof Computations {
+  return name === 'compute' || name === 'trace'
 }
 
 /** Whether an error is a fault of the program and not of its input. */

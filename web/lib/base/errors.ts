@@ -118,9 +118,10 @@ export function reasonOf(cause: unknown): string {
   return (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '')
 }
 
-/** Returns the error for a task that could not finish because a worker failed. */
+/** Returns the error for a task that could not finish because a worker failed. `cause`: as in `ThreadEvents`. */
 export function workerFailure(cause: unknown): CircleVoronoiError {
-  return new CircleVoronoiError('internal', `The worker failed: ${reasonOf(cause)}.`, { cause })
+  const reason = cause === undefined ? 'its file cannot be loaded' : reasonOf(cause)
+  return new CircleVoronoiError('internal', `The worker failed: ${reason}.`, { cause })
 }
 
 /**

@@ -41,7 +41,7 @@ export interface Thread {
 /** The events of a thread. */
 export interface ThreadEvents {
   onMessage(message: FromThread): void
-  /** Called if the thread could not be loaded or has crashed. `cause` is undefined if the reason is unknown. */
+  /** Called if the thread has crashed, or with `undefined` if its file could not be loaded. */
   onFailure(cause: unknown): void
 }
 

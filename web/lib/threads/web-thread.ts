@@ -4,8 +4,7 @@ import type { FromThread, Thread, ThreadEvents } from './channel.ts'
 /** Makes a thread of a Web Worker. */
 export function webThread(worker: Worker, { onMessage, onFailure }: ThreadEvents): Thread {
   worker.onmessage = ({ data }: MessageEvent<FromThread>) => onMessage(data)
-  // The event of a file that cannot be loaded has no message.
-  worker.onerror = ({ message }) => onFailure(message ?? 'its file cannot be loaded')
+  worker.onerror = ({ message }) => onFailure(message)
   return {
     post: (message, transfer) => worker.postMessage(message, transfer as Transferable[]),
     keepAlive: () => {},

@@ -75,7 +75,7 @@ export function answerViews(): void {
         scenes.set(number, new SceneAnswers(await library, thread))
       }),
     ...(Object.fromEntries(answersByName) as Pick<Answers<PainterRequests>, SceneRequest>),
-    compute: async ([circles, , options]) => computed(await library, circles, options),
-    trace: async ([circles, ids, options]) => traced(await library, circles, ids, options),
+    compute: async (args) => computed(await library, ...args),
+    trace: async (args) => traced(await library, ...args),
   })
 }

@@ -55,7 +55,7 @@ export class SceneAnswers {
 
   async open(opening: number, circles: Float64Array, kept: KeptIds | undefined, change: DomainChange): Promise<Opened> {
     const { scene } = this
-    const opened = scene.open(circles, change, await this.#regionsFor(change), kept)
+    const opened = await this.#change(change, (regions) => scene.open(circles, change, regions, kept))
     this.#opening = opening
     this.#thread.scheduler.restart(this)
     this.#thread.scheduler.schedule()
@@ -66,17 +66,24 @@ export class SceneAnswers {
   async edit(opening: number, edits: readonly Edit[], change: DomainChange): Promise<EditedPicture | undefined> {
     if (opening !== this.#opening) return undefined
     const { scene } = this
-    const regions = await this.#regionsFor(change)
-    try {
+    return this.#change(change, (regions) => {
       const edited = scene.edit(edits, change, regions)
       const { patches, found } = edited
       if (scene.tiles.isWaiting) this.#thread.scheduler.schedule()
       if (found === undefined || scene.isPowerMissing || scene.isMethodMissing) this.#findAtRest()
+      else this.#stopFinding()
       const grid = scene.tiles.viewport?.grid.id ?? -1
       const picture = { kind: 'edited', grid, counts: scene.counts(), marks: scene.marks(), ...edited } as const
       return transferring(picture, bitmapsOf(patches))
+    })
+  }
+
+  /** Changes the circles. After an unexpected error, they may differ, and the view opens the confirmed ones again. */
+  async #change<Changed>(change: DomainChange, act: (regions: Regions | undefined) => Changed): Promise<Changed> {
+    const regions = await this.#regionsFor(change)
+    try {
+      return act(regions)
     } catch (error) {
-      // The editor may have made the edit. The view opens the confirmed circles again.
       if (isUnexpected(error)) this.#opening = UNKNOWN
       throw error
     }
@@ -103,8 +110,7 @@ export class SceneAnswers {
   }
 
   close(): void {
-    clearTimeout(this.#rest)
-    this.#finding.abort()
+    this.#stopFinding()
     this.scene.dispose()
   }
 
@@ -154,6 +160,7 @@ export class SceneAnswers {
   #tellFound(): void {
     const { scene } = this
     if (scene.isFoundQuickly && !scene.isPowerMissing && !scene.isMethodMissing) {
+      this.#stopFinding()
       this.#thread.tell('found', { found: scene.find() })
     } else {
       this.#findAtRest()
@@ -162,12 +169,17 @@ export class SceneAnswers {
 
   /** Runs long computations once nothing has been edited for a while. */
   #findAtRest(): void {
-    clearTimeout(this.#rest)
-    this.#finding.abort()
+    this.#stopFinding()
     this.#finding = new AbortController()
     const { signal } = this.#finding
     const fail = (error: unknown) => signal.aborted || this.#fail(error)
     this.#rest = setTimeout(() => this.#find(signal).catch(fail), REST)
+  }
+
+  /** Stops a search that has begun, whose results would be older than those of the view. */
+  #stopFinding(): void {
+    clearTimeout(this.#rest)
+    this.#finding.abort()
   }
 
   #addMethod(): void {

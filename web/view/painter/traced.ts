@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { Edit, Options } from '../../lib/index.ts'
+import type { Edit, Lattice, Options } from '../../lib/index.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import { MOST_PLAYED } from '../layers.ts'
@@ -23,10 +23,16 @@ export function traced(library: CircleVoronoi, circles: Float64Array, ids: Int32
   return { circles, ids, diagram, events: { kinds, discs, vertices, circles: named, numbers: trace.numbers } }
 }
 
-/** Computes the diagram of circles from scratch. */
-export function computed(library: CircleVoronoi, circles: Float64Array, options: Options): Computed {
+/** Computes the diagram of circles from scratch, and of their images if they repeat. */
+export function computed(
+  library: CircleVoronoi,
+  circles: Float64Array,
+  lattice: Lattice | undefined,
+  options: Options,
+): Computed {
   try {
-    const { stats, certificate } = library.compute(circles, options)
+    const all = lattice === undefined ? circles : library.computePeriodic(circles, lattice).diagram.circles
+    const { stats, certificate } = library.compute(all, options)
     return { stats, certificate }
   } catch (error) {
     if (!(error instanceof CircleVoronoiError)) throw error
