@@ -6,7 +6,7 @@ import fc from 'fast-check'
 import { afterAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { CircleVoronoiError } from '../../web/lib/index.ts'
 import type { ToThread } from '../../web/lib/threads/channel.ts'
-import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { DEFAULT_LAYERS, type PaintedLayers } from '../../web/view/layers.ts'
 import { Painter } from '../../web/view/painter.ts'
 import type { Facts, PainterRequests } from '../../web/view/protocol.ts'
 import { ENGLISH_REFUSALS, Failure, Superseded } from '../../web/view/refusal.ts'
@@ -54,14 +54,34 @@ const WRONG = {
   tell: (one: SceneClient) => one.ask('tell', [NOTHING]),
 }
 const wrongRequests = Object.keys(WRONG) as (keyof typeof WRONG)[]
+/** Layers with which some answers are impossible: views refuse all but the first two. */
+const LAYERS = {
+  plain: DEFAULT_LAYERS,
+  hull: { ...DEFAULT_LAYERS, hull: true },
+  column: { ...DEFAULT_LAYERS, cells: 'area', column: { name: 'a', values: null as never } },
+  path: { ...DEFAULT_LAYERS, path: { from: null as never, to: null as never } },
+  distance: { ...DEFAULT_LAYERS, cells: 'area', maxDistance: BIG },
+} satisfies Record<string, PaintedLayers>
+const BOX = { left: 0, top: 0, width: 256, height: 256 }
+const request = { paintId: 1, grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }, seen: BOX, wanted: BOX }
+const STYLE = styleOf(new Proxy({}, { get: () => 'red' }))
+const FRAME = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
+const QUESTIONS = {
+  tell: (one: SceneClient) => one.ask('tell', [[0, 1]]),
+  legend: (one: SceneClient) => one.ask('legend', []),
+  measure: (one: SceneClient) => one.ask('measure', []),
+  tabulate: (one: SceneClient) => one.ask('tabulate', [['area'], undefined]),
+  svg: (one: SceneClient) => one.ask('svg', [FRAME, STYLE, []]),
+}
 const scene = fc.nat(1)
 const action = fc.oneof(
   actionOf('open', { scene, circles: fc.array(circle, { maxLength: 8 }), domain: fc.nat(2) }),
   actionOf('edit', { scene, edits: fc.array(edit, { minLength: 1, maxLength: 3 }) }),
   actionOf('edit', { scene, edits: fc.array(edit, { minLength: 1, maxLength: 1 }) }),
-  actionOf('layers', { scene, hull: fc.boolean() }),
+  actionOf('layers', { scene, layers: fc.constantFrom(...(Object.keys(LAYERS) as (keyof typeof LAYERS)[])) }),
+  actionOf('look', { scene }),
   actionOf('mark', { scene, id }),
-  actionOf('ask', { scene }),
+  actionOf('ask', { scene, question: fc.constantFrom(...(Object.keys(QUESTIONS) as (keyof typeof QUESTIONS)[])) }),
   actionOf('cancel', { scene }),
   actionOf('break', { scene }),
   actionOf('fail', { scene, request: fc.constantFrom(...wrongRequests) }),
@@ -92,13 +112,16 @@ function doIt(one: SceneClient, action: Action): Promise<unknown> | undefined {
     case 'edit':
       return one.edit(action.edits)
     case 'layers':
-      one.setLayers({ ...DEFAULT_LAYERS, hull: action.hull })
+      one.setLayers(LAYERS[action.layers])
+      return
+    case 'look':
+      one.look(request, STYLE)
       return
     case 'mark':
       one.mark(action.id, undefined)
       return
     case 'ask':
-      return one.ask('tell', [[0, 1]])
+      return QUESTIONS[action.question](one)
     case 'cancel':
       one.cancel()
       return
@@ -146,6 +169,7 @@ async function play(script: readonly Action[]): Promise<void> {
       asked.push(done)
       if (action.kind === 'wait') await done
     }
+    for (const one of scenes) one.setLayers(DEFAULT_LAYERS)
     // An edit or an opening begins another thread where there is none any more.
     for (const one of scenes) await one.edit([]).catch(() => one.edit([]))
     for (const result of await Promise.allSettled(asked)) {
@@ -195,12 +219,8 @@ class CrashingThread extends ThreadHere {
     else super.postMessage(data)
   }
 }
-const STYLE = styleOf(new Proxy({}, { get: () => 'red' }))
-const BOX = { left: 0, top: 0, width: 256, height: 256 }
-const request = { paintId: 1, grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 }, seen: BOX, wanted: BOX }
-const layers = { ...DEFAULT_LAYERS, hull: true }
+const layers = LAYERS.hull
 const TWO = Float64Array.of(0, 0, 1, 9, 0, 1)
-const FRAME = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
 
 describe('an error in a request', () => {
   const requests = {
@@ -231,6 +251,41 @@ describe('an error in a request', () => {
     expect(started).toBe(name === 'trace' ? 2 : 1)
     painter.dispose()
     vi.stubGlobal('Worker', ThreadHere)
+  })
+})
+
+describe('an error that layers cause', () => {
+  const requests: readonly (readonly [keyof typeof LAYERS, string, (one: SceneClient) => unknown])[] = [
+    ['column', 'legend', QUESTIONS.legend],
+    ['distance', 'measure', QUESTIONS.measure],
+    ['distance', 'tabulate', QUESTIONS.tabulate],
+    ['distance', 'mark', (one) => one.mark(0, undefined)],
+    ['column', 'look', (one) => one.look(request, STYLE)],
+    ['path', 'open', (one) => one.open(TWO)],
+  ]
+  it.each(requests)('(%s) in %s is told, and other layers are drawn by the same thread', async (name, _, act) => {
+    const failures: unknown[] = []
+    const whole = vi.fn()
+    const painter = new Painter()
+    const one = painter.add({ ...listener(failures), painted: ({ kind }) => kind === 'painted' && whole() })
+    await one.open(TWO)
+    await quiet()
+    const [thread] = ThreadHere.running
+    one.setLayers(LAYERS[name])
+    await quiet()
+    failures.length = 0
+    const errors: unknown[] = []
+    await Promise.resolve(act(one)).catch((error) => errors.push(error))
+    // Searches begin after a pause.
+    await vi.waitFor(() => expect(failures.length + errors.length).toBe(1), { timeout: 40_000 })
+    expect([...failures, ...errors]).toEqual([expect.any(CircleVoronoiError)])
+    failures.length = 0
+    one.setLayers(LAYERS.hull)
+    one.look({ ...request, paintId: 2 }, STYLE)
+    expect(await QUESTIONS.measure(one)).toMatchObject({ certificate: { certified: true } })
+    await vi.waitFor(() => expect(whole).toHaveBeenCalled(), { timeout: 40_000 })
+    expect([failures, [...ThreadHere.running]]).toEqual([[], [thread]])
+    painter.dispose()
   })
 })
 
