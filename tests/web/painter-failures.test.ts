@@ -500,3 +500,34 @@ it('a thread whose file cannot be loaded is told in the language of the view', a
   expect((failures[0] as Failure).say({ ...ENGLISH_REFUSALS, noThread: 'DATEI' })).toContain('DATEI')
   painter.dispose()
 })
+
+it('threads that end before they have begun leave one copy of their text', async () => {
+  /** A thread of a page that may not load the file as a worker. */
+  class ThreadOfText extends ThreadHere {
+    constructor(url: URL | string) {
+      if (typeof url !== 'string') throw new DOMException('another origin', 'SecurityError')
+      super(new URL('/web/view/painter/start-thread.ts', location.href))
+    }
+    addEventListener() {}
+  }
+  const texts = new Set<string>()
+  vi.spyOn(URL, 'createObjectURL').mockImplementation(() => {
+    texts.add(`blob:${texts.size}`)
+    return `blob:${texts.size - 1}`
+  })
+  vi.spyOn(URL, 'revokeObjectURL').mockImplementation((url) => texts.delete(url))
+  vi.stubGlobal('Worker', ThreadOfText)
+  const painter = new Painter()
+  const scene = painter.add(listener([]))
+  await scene.open(TWO)
+  for (let k = 0; k < 3; k++) {
+    const canceled = new AbortController()
+    const computed = scene.ask('compute', [{}], canceled.signal)
+    canceled.abort()
+    expect(await computed).toBeUndefined()
+  }
+  expect([texts.size, ThreadHere.running.size]).toEqual([1, 1])
+  vi.restoreAllMocks()
+  vi.stubGlobal('Worker', ThreadHere)
+  painter.dispose()
+})

@@ -15,14 +15,18 @@ export function startModuleWorker(make: () => Worker, file: () => URL | string, 
     const script = isModule ? `import ${JSON.stringify(source.href)}` : source
     // Chromium loads no modules from a blob in a frame without an origin.
     const url =
-      isModule && globalThis.origin === 'null'
-        ? `data:text/javascript,${encodeURIComponent(script)}`
-        : URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
-    const worker = withTrustedUrls(() => new Worker(url, { type: isModule ? 'module' : 'classic', name }))
-    // The worker has read the text when it sends its first message.
-    worker.addEventListener('message', () => URL.revokeObjectURL(url), { once: true })
-    return worker
+      isModule && globalThis.origin === 'null' ? `data:text/javascript,${encodeURIComponent(script)}` : blobOf(script)
+    return withTrustedUrls(() => new Worker(url, { type: isModule ? 'module' : 'classic', name }))
   }
+}
+
+/** The blobs of all scripts, which later threads read again. */
+const blobs = new Map<string, string>()
+
+function blobOf(script: string): string {
+  const url = blobs.get(script) ?? URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
+  blobs.set(script, url)
+  return url
 }
 
 /** The part of Trusted Types that this module needs. Some browsers and TypeScript's DOM types lack it. */
