@@ -3,7 +3,7 @@
 import { expect, test } from '@playwright/test'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { ROOT } from '../pack/project.mjs'
-import { type Server, serve } from '../pack/static-server.ts'
+import { type Server, STRICT_POLICY, serve } from '../pack/static-server.ts'
 import { type Engine, until } from './engine.ts'
 import { ENGINES } from './engines.ts'
 
@@ -11,7 +11,8 @@ type Element = HTMLElementTagNameMap['circle-voronoi']
 
 let server: Server
 test.beforeAll(async () => {
-  server = await serve(ROOT)
+  // The one file starts its thread from a text.
+  server = await serve(ROOT, `${STRICT_POLICY}; worker-src 'self' blob:`)
 })
 test.afterAll(() => server.close())
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { FigureActions } from '../editing/figure-actions.ts'
+import type { State } from '../editing/state.ts'
 import type { Point } from '../lib/index.ts'
 import type { Padding } from '../view/camera.ts'
+import type { Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import { coveredOfPage } from './padding.ts'
 
@@ -9,23 +11,22 @@ import { coveredOfPage } from './padding.ts'
 const AROUND = '#figure, #top, #rail, #left > .panel, #share, #player'
 
 /** Keeps all circles visible, if they were, and the ends of a path, when panels open and when the window resizes. */
-export function arrangeAround(view: View, actions: FigureActions): void {
+export function arrangeAround(store: Store<State>, view: View, actions: FigureActions): void {
   const { camera } = actions
   camera.covered = coveredOfPage
   view.covered = coveredOfPage
   let isWhole = camera.isWhole
   let padding = camera.covered()
-  let table = view.circles
+  let { scene } = store.get()
   const look = () => {
     isWhole = camera.isWhole
   }
   view.on('camera', look)
-  // The camera of new circles is set before the circles arrive.
-  view.on('changed', () => {
-    if (view.circles === table) return
-    table = view.circles
-    // Waits for the caller to set the region of the new circles.
-    queueMicrotask(look)
+  // The camera of new circles is set before the circles and their region arrive.
+  store.subscribe((state) => {
+    if (state.scene === scene) return
+    scene = state.scene
+    look()
   })
   const observer = new ResizeObserver(() => {
     if (isWhole && !camera.isWhole) camera.showView(undefined)

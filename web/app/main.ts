@@ -202,7 +202,7 @@ if (begun === 'refused') {
     persistence.changed()
   }
 }
-arrangeAround(view, actions)
+arrangeAround(store, view, actions)
 import('./panels/tooltips.ts').then(
   ({ mountTooltips }) => mountTooltips(),
   // Browsers have tooltips of their own.
