@@ -6,6 +6,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { toSVG } from '../../web/view/export.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { mount } from '../../web/view/mount.ts'
+import type { Highlights } from '../../web/view/protocol.ts'
 import type { View } from '../../web/view/view.ts'
 import { held } from './element-page.ts'
 import { draws } from './page-canvas.ts'
@@ -71,6 +72,16 @@ it.each<[string, () => unknown, () => unknown]>([
 })
 
 describe('a view tells', () => {
+  it('of the selected circle among new circles, also under the same id', async () => {
+    const marked = heard('marked') as Highlights[]
+    view.select([1])
+    await quiet()
+    expect(marked.at(-1)?.selected?.circle.x).toBe(10)
+    await view.setCircles(Float64Array.of(0, 0, 2, 20, 0, 1, 5, 8, 1.5))
+    view.select([])
+    view.select([1])
+    await soon(() => expect(marked.at(-1)?.selected?.circle.x).toBe(20))
+  })
   it('of the newest circle that is tried, and once where there is none any more', async () => {
     const tried = heard('tried')
     const circle = { x: 4, y: 3, r: 1 }

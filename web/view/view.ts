@@ -33,7 +33,7 @@ import { Screen } from './screen.ts'
 import type { Store } from './store.ts'
 import type { Style } from './style.ts'
 import { MOST_ENLARGED, TileBuffer } from './tile-buffer.ts'
-import { INITIAL_VIEW, selectedIn, type ViewState } from './view-state.ts'
+import { INITIAL_VIEW, NO_HIGHLIGHTS, selectedIn, type ViewState } from './view-state.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const SHARPENING_DELAY = 80
@@ -74,6 +74,8 @@ export class View {
   /** The scale of the last paint request, and the scale of the highlighted outlines. */
   #requestedScale = 1
   #outlinedAt = 1
+  /** The state whose highlights were requested last. */
+  #marked: Pick<ViewState, 'selection' | 'hovered'> = INITIAL_VIEW
   #disc: Touching | undefined
   /** The position of the last request for a disc. Answers for older positions are ignored. */
   #discAt: Point | undefined
@@ -137,10 +139,9 @@ export class View {
       },
       failed: (error) => this.#events.tell('failed', error),
     })
-    let marked: Pick<ViewState, 'selection' | 'hovered'> = INITIAL_VIEW
     const mark = (state: ViewState) => {
-      const isSame = selectedIn(state) === selectedIn(marked) && state.hovered === marked.hovered
-      marked = state
+      const isSame = selectedIn(state) === selectedIn(this.#marked) && state.hovered === this.#marked.hovered
+      this.#marked = state
       if (!isSame) this.#mark()
     }
     this.#unsubscribe = [store.watch((state, before) => this.#follow(state, before)), store.subscribe(mark)]
@@ -178,6 +179,9 @@ export class View {
     this.#tiles.clear()
     const opened = this.#scene.open(circles, change, kept).then((edited) => {
       this.#disc = undefined
+      // The highlights belonged to the former circles.
+      this.#marked = INITIAL_VIEW
+      this.#update({ highlights: NO_HIGHLIGHTS })
       this.#findingChanges(undefined)
       return edited
     })
