@@ -260,6 +260,15 @@ describe('attributes and properties', () => {
     expect(told()).toEqual([])
   })
 
+  it.each(['readonly', 'dissolve'])('%s is set by true alone', (name) => {
+    const { element, properties } = made({})
+    for (const value of [0, '', 'false', Number.NaN]) {
+      properties[name] = true
+      properties[name] = value
+      expect([value, element.hasAttribute(name)]).toEqual([value, false])
+    }
+  })
+
   it('layers and a view are seen at once in a figure that runs, with the data of clients', async () => {
     const data = [{ id: 'a', color: 'rgb(1, 2, 3)', points: Float64Array.of(1, 2) }]
     const early = made({ circles: TEXT })
@@ -442,6 +451,20 @@ describe('an element that leaves its page', () => {
     await element.ready
     await settled(element)
     expect(control(part('.controls'), 'Undo').disabled).toBe(true)
+  })
+
+  it('selects nothing once it is back, and says so', async () => {
+    const { element, events } = await shown()
+    element.selection = [1]
+    await settled(element)
+    events.length = 0
+    element.remove()
+    await quiet()
+    document.body.append(element)
+    await element.ready
+    await settled(element)
+    const selections = events.flatMap(({ type, detail }) => (type === 'selectionchange' ? [detail.selection] : []))
+    expect([element.selection, selections]).toEqual([[], [[]]])
   })
 
   it('reports no circles that arrive afterwards', async () => {

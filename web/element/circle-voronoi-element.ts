@@ -199,6 +199,8 @@ export class CircleVoronoiElement extends Base {
   #rings: Rings | undefined
   #isDisabled = false
   #isShown = true
+  /** The selection of the last event, perhaps in a figure that has ended. */
+  #lastSelection: readonly number[] = []
   /** A selection that waits for its circles. */
   #nextSelection: readonly number[] | undefined
   #stopWatching: (() => void) | undefined
@@ -325,8 +327,8 @@ export class CircleVoronoiElement extends Base {
   }
 
   #set(name: PropertyName, given: unknown): void {
-    const value = given ?? undefined
-    const { copied, part }: Property = PROPERTIES[name]
+    const { copied, none, part }: Property = PROPERTIES[name]
+    const value = none === false ? given === true : (given ?? undefined)
     if (copied !== undefined && typeof value !== 'string') {
       this.#try(name, () => {
         Object.assign(this.#assigned, { [name]: value === undefined ? undefined : copied(value as never) })
@@ -652,11 +654,10 @@ export class CircleVoronoiElement extends Base {
     for (const name of ['camera', 'layers', 'diagram', 'style', 'found', 'changed'] as const) {
       view.on(name, () => this.#printed?.change())
     }
-    let before: readonly number[] = []
     store.subscribe(({ selection }) => {
       this.#showProblems()
-      const isSame = selection === before || selection.length + before.length === 0
-      before = selection
+      const isSame = selection === this.#lastSelection || selection.length + this.#lastSelection.length === 0
+      this.#lastSelection = selection
       if (!isSame) this.#tell('selectionchange', { selection: selection.slice() })
     })
     view.setLayers(this.#value('layers'))
