@@ -26,7 +26,7 @@ class Figure extends HTMLElement {
   /** The error that the next check causes. */
   wrongCheck: Error | undefined
   wait = async () => {}
-  readonly updateComplete = Promise.resolve()
+  updateComplete = Promise.resolve()
   #check: unknown
   get check(): unknown {
     return this.#check
@@ -52,19 +52,24 @@ class Figure extends HTMLElement {
 customElements.define('circle-voronoi', Figure)
 
 let figure: Figure
+let main: HTMLElement
+let resize: () => void
 let told: FrameMessage[]
 let frame: Frame
 let loads: Map<string, (circles: Float64Array) => void>
 
 beforeEach(() => {
   figure = new Figure()
-  const main = make('main', {}, figure, ...PARTS.map((id) => make('p', { id })))
+  main = make('main', {}, figure, ...PARTS.map((id) => make('p', { id })))
   document.body.replaceChildren(main)
   told = []
   loads = new Map()
   vi.stubGlobal(
     'ResizeObserver',
     class {
+      constructor(resized: () => void) {
+        resize = resized
+      }
       observe() {}
     },
   )
@@ -83,6 +88,22 @@ const REGION = [
     [9, 9],
   ],
 ] as const
+
+it('tells a height that changes while a report is pending once, with the report', async () => {
+  await frame.open(await encodeLink(QUESTION))
+  told.length = 0
+  let complete = () => {}
+  figure.updateComplete = new Promise((resolve) => {
+    complete = resolve
+  })
+  const reported = frame.request({})
+  Object.assign(main, { getBoundingClientRect: () => ({ height: 300 }) })
+  resize()
+  complete()
+  await reported
+  resize()
+  expect(told.map(({ height }) => height)).toEqual([300])
+})
 
 it('has no check of other circles while it shows new ones, and tells an error of the new check', async () => {
   await frame.open(await encodeLink(QUESTION))
