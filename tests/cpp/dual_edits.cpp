@@ -65,11 +65,7 @@ Dual dualOf(const Diagram& diagram, std::size_t circleCount) {
 }
 
 void replaceTopology(Diagram& diagram, const Dual& dual, std::span<const Circle> circles) {
-  Topology topology = topologyOf(dual, static_cast<int>(circles.size()));
-  diagram.vertexCircles = std::move(topology.vertexCircles);
-  diagram.edges = std::move(topology.edges);
-  diagram.hull = std::move(topology.hull);
-  rotateHull(diagram.hull);
+  takeTopology(diagram, topologyOf(dual, static_cast<int>(circles.size())));
   diagram.vertices.clear();
   for (auto& triple : diagram.vertexCircles) {
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());

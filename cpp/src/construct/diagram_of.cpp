@@ -41,11 +41,8 @@ Diagram diagramOf(std::span<const Circle> circles, State state, Threads threads)
   if (sites.indices.size() == 1) topology.hull = {sites.indices[0]};
   diagram.certificate = certificateOf(verdict, flawed, topology);
   if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[at(diagram.certificate.circle)];
-  diagram.vertexCircles = std::move(topology.vertexCircles);
-  diagram.edges = std::move(topology.edges);
-  diagram.hull = std::move(topology.hull);
+  takeTopology(diagram, std::move(topology));
   diagram.hidden = std::move(sites.hidden);
-  rotateHull(diagram.hull);
   diagram.certificate.message = messageOf(diagram.certificate, diagram);
   state = {};
   diagram.circles.reserve(circles.size());

@@ -120,11 +120,8 @@ Diagram flawedDiagram(std::span<const Circle> circles, Sites sites, Topology top
     toInput(edge.right);
   }
   std::for_each(topology.hull.begin(), topology.hull.end(), toInput);
-  diagram.vertexCircles = std::move(topology.vertexCircles);
-  diagram.edges = std::move(topology.edges);
-  diagram.hull = std::move(topology.hull);
+  takeTopology(diagram, std::move(topology));
   diagram.hidden = std::move(sites.hidden);
-  rotateHull(diagram.hull);
   diagram.circles.reserve(circles.size());
   for (const Circle& c : circles) diagram.circles.push_back(rounded(c));
   linkSides(diagram);

@@ -277,6 +277,13 @@ void rotateHull(std::vector<CircleIndex>& hull) {
   std::rotate(hull.begin(), hull.begin() + static_cast<std::ptrdiff_t>(start), hull.end());
 }
 
+void takeTopology(Diagram& diagram, Topology topology) {
+  diagram.vertexCircles = std::move(topology.vertexCircles);
+  diagram.edges = std::move(topology.edges);
+  diagram.hull = std::move(topology.hull);
+  rotateHull(diagram.hull);
+}
+
 std::variant<Dual, TopologyFlaw> dualOf(const Topology& topology, int circleCount, Links* links) {
   return DualBuilder(topology, circleCount).build(links);
 }

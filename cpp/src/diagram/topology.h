@@ -37,6 +37,9 @@ Topology topologyOf(Dual dual, const std::vector<VertexIndex>& vertexOf, int cir
 /// it was found.
 void rotateHull(std::vector<CircleIndex>& hull);
 
+/// Moves a topology into a diagram, with its hull rotated as above.
+void takeTopology(Diagram& diagram, Topology topology);
+
 /// The reason why a topology is not that of a triangulated sphere, and the place.
 struct TopologyFlaw {
   Flaw flaw = Flaw::adjacency;

@@ -9,6 +9,7 @@
 #include "cell_limits.h"
 #include "infinity.h"
 #include "scale.h"
+#include "unbounded_cell.h"
 
 namespace circle_voronoi {
 namespace {
@@ -21,11 +22,6 @@ double roundingOfDifference(const Diagram& diagram, CircleIndex circle, CircleIn
   const Circle& c = circleAt(diagram, circle);
   const Circle& d = circleAt(diagram, other);
   return 0x1p-49 * (lengthOf(between(d, c)) + std::abs(radiusOf(diagram, d) - radiusOf(diagram, c)));
-}
-
-/// Returns whether a cell with this outline is unbounded.
-bool isUnbounded(const Diagram& diagram, CircleIndex circle, const Outline& whole) {
-  return whole.empty() && diagram.hasCell(circle);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "checks.h"
 #include "clip_parts.h"
 #include "infinity.h"
+#include "unbounded_cell.h"
 
 namespace circle_voronoi {
 namespace {
@@ -124,9 +125,9 @@ CellMeasures measuresIn(const ExportFrame& frame) {
   for (std::size_t i = 0; i < frame.diagram.circles.size(); ++i) {
     const auto circle = static_cast<std::int32_t>(i);
     const Outline whole = outline(frame.diagram, circle);
-    const bool isUnbounded = whole.empty() && frame.diagram.hasCell(circle);
-    result.areas.push_back(isUnbounded ? kInfinite : area(whole));
-    result.perimeters.push_back(isUnbounded ? kInfinite : perimeter(whole));
+    const bool isInfinite = isUnbounded(frame.diagram, circle, whole);
+    result.areas.push_back(isInfinite ? kInfinite : area(whole));
+    result.perimeters.push_back(isInfinite ? kInfinite : perimeter(whole));
   }
   return result;
 }

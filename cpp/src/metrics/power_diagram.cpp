@@ -162,10 +162,7 @@ Diagram assembled(PowerSites found, std::vector<Circle> circles, bool weights, T
   }
   Topology topology = topologyOf(std::move(dual), vertices, static_cast<int>(circles.size()), diagram.links, threads);
   if (found.circles.size() == 1) topology.hull = {found.circles[0]};
-  diagram.vertexCircles = std::move(topology.vertexCircles);
-  diagram.edges = std::move(topology.edges);
-  diagram.hull = std::move(topology.hull);
-  rotateHull(diagram.hull);
+  takeTopology(diagram, std::move(topology));
   diagram.circles = std::move(circles);
   diagram.certificate.flaw = Flaw::none;
   return diagram;

@@ -24,8 +24,8 @@ namespace {
 
 /// With at most this number of circles and sides nearby, all triples are tried.
 constexpr std::size_t kFew = 10;
-/// Where discs are larger than the best one by rounding at most, as between parallel sides, all are tried with at most
-/// this number nearby. Otherwise the rectangle would be divided along its whole length, down to rounding.
+/// All triples are also tried with at most this number nearby, if discs are larger than the best one by rounding at
+/// most, as between parallel sides. Otherwise the rectangle would be divided along its whole length, down to rounding.
 constexpr std::size_t kFewOfTie = 30;
 /// Rectangles smaller than this share of the region are points up to rounding.
 constexpr double kFinestRectangle = 0x1p-50;
