@@ -7,13 +7,13 @@ const LAYERS = {
   web: ['lib', 'view', 'editing', 'player', 'element'],
 }
 
-/** The folder of what C++ builds. All layers may import from it. */
+/** The folder of files that the C++ build makes. All layers may import from it. */
 const BUILT = 'generated'
 
 const rulesOf = ([parent, folders]) =>
   folders.map((folder, i) => ({
     name: `${parent}/${folder}`,
-    comment: `It imports only from folders that stand before it in ${folders.join(', ')}.`,
+    comment: `${folder} imports only from itself and the folders before it in ${folders.join(', ')}.`,
     severity: 'error',
     from: { path: `^${parent}/${folder}/` },
     to: { path: `^${parent}/`, pathNot: `^${parent}/(${[...folders.slice(0, i + 1), BUILT].join('|')})/` },
@@ -21,8 +21,8 @@ const rulesOf = ([parent, folders]) =>
 
 export default {
   forbidden: Object.entries(LAYERS).flatMap(rulesOf),
-  // The option makes it see imports of types, which the compiler removes.
   options: {
+    // Imports of types, which the compiler removes, count, too.
     tsPreCompilationDeps: true,
     tsConfig: { fileName: 'tsconfig.json' },
     doNotFollow: { path: 'node_modules' },

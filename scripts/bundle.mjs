@@ -37,7 +37,7 @@ async function lib() {
   // Code that is pasted after the file can use its exports, because they are variables.
   const ending = `const{${names}}=wholeFile(import.meta.url);export{${names}}`
   writeFileSync(`${ROOT}dist/lib/bundle.js`, `${LICENSE}\n${await oneFile()}\n${ending}\n`)
-  // Removes what the compiler made of the module.
+  // Removes the source map and the declarations that the compiler made of web/lib/bundle.ts.
   for (const ending of ['js.map', 'd.ts']) rmSync(`${ROOT}dist/lib/bundle.${ending}`)
   removeUnusedDeclarations()
 }
@@ -69,7 +69,7 @@ async function oneFile() {
  * dist/lib; and in one file (classic.js), which inline.js turns into a module for any bundler.
  */
 async function element() {
-  for (const name of ['index', 'define', 'react']) copyDeclarations(`element/${name}.d.ts`)
+  copyDeclarations('element/index.d.ts', 'element/define.d.ts', 'element/react.d.ts')
   await build({
     ...BUNDLED,
     outdir: 'dist/element',
@@ -133,15 +133,15 @@ async function elementInOneFile() {
 }
 
 /** Copies the declarations of the element from build/element-types. The declarations of dist/lib exist already. */
-function copyDeclarations(file) {
-  for (const name of declarationsFrom(`${ROOT}build/element-types/`, [file])) {
+function copyDeclarations(...files) {
+  for (const name of declarationsFrom(`${ROOT}build/element-types/`, files)) {
     if (name.startsWith('lib/')) continue
     mkdirSync(dirname(`${ROOT}dist/${name}`), { recursive: true })
     copyFileSync(`${ROOT}build/element-types/${name}`, `${ROOT}dist/${name}`)
   }
 }
 
-/** Removes the declarations of dist/lib that those of its entries do not need. */
+/** Removes the declarations of dist/lib that no entry imports. */
 function removeUnusedDeclarations() {
   const folder = `${ROOT}dist/lib/`
   const all = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.d.ts'))
@@ -152,7 +152,7 @@ function removeUnusedDeclarations() {
   for (const name of all) if (!used.has(name)) rmSync(folder + name)
 }
 
-/** Returns the declaration files of a folder that some of them need, and these. */
+/** Returns declaration files of a folder with all that they import. */
 function declarationsFrom(folder, files) {
   const found = new Set(files)
   for (const file of found) {

@@ -240,8 +240,8 @@ export class CircleVoronoiElement extends Base {
     circles: () => this.#setRequest(undefined),
     controls: () => {
       this.#applyControls()
-      const step = this.#value('step')
-      this.#play(step !== undefined || this.#value('controls').hasPlayer ? (this.#figure?.step ?? step) : undefined)
+      const isPlayed = this.#value('step') !== undefined || this.#value('controls').hasPlayer
+      this.#play(isPlayed ? this.step : undefined)
     },
     description: () => this.#describe(),
     domain: () => this.#changeDomain(),
@@ -747,7 +747,7 @@ export class CircleVoronoiElement extends Base {
       const opened = given ?? (figure.editing.scene && requestOf({}))
       if (opened === undefined) return
       const view = opened.view ?? this.view
-      const layers = opened.layers ?? keptLayers(this.layers)
+      const layers = opened.layers ?? keptLayers(this.#value('layers'))
       const step = opened.step ?? this.#value('step') ?? this.#firstStep
       const domain = opened.domain ?? (await this.#domain(signal))
       if (signal.aborted) return

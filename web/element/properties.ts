@@ -86,7 +86,7 @@ export type ValueOf<Name extends PropertyName> =
 
 /** Returns the attribute for a value; `undefined` for none. */
 export function attributeText(value: unknown): string | undefined {
-  if (value === undefined || value === null || value === false) return undefined
+  if (value === undefined || value === false) return undefined
   if (value === true) return ''
   return typeof value === 'object' ? JSON.stringify(value) : String(value)
 }

@@ -315,10 +315,7 @@ const FIELDS: { readonly [Name in keyof LinkState]-?: Field } = {
 }
 
 /** Converts each field that a state has. */
-function mapped(
-  state: Readonly<Record<string, unknown>> | LinkInput,
-  convert: (value: unknown, field: Field) => unknown,
-): Record<string, unknown> {
+function mapped(state: object, convert: (value: unknown, field: Field) => unknown): Record<string, unknown> {
   const given = state as Readonly<Record<string, unknown>>
   const fields = Object.entries(FIELDS).filter(([name]) => given[name] !== undefined)
   return Object.fromEntries(fields.map(([name, field]) => [name, convert(given[name], field)]))

@@ -138,12 +138,8 @@ function playedAt(
   scheme: Scheme,
 ): readonly OverlayLayer[] | undefined {
   const known = METHODS.find((name) => name === method) ?? ('touching-disc' satisfies Method)
-  const {
-    circles: given,
-    ids,
-    diagram,
-    events,
-  } = traced(scene.library, table.circles(), table.ids(), { method: known })
+  const [given, ids] = [table.circles(), table.ids()]
+  const { diagram, events } = traced(scene.library, given, ids, { method: known })
   const trace = new Trace(new Diagram(diagram), events)
   const steps = stepsOf(trace)
   if (step >= steps.length - 1) return undefined

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { isRecord } from '../lib/base/check.ts'
+import { CircleVoronoiError } from '../lib/base/errors.ts'
 import { CANDIDATES, type Candidates, type Point } from '../lib/base/types.ts'
 import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
+import { wholeNumber } from './whole-number.ts'
 
 /**
  * The quantity that colors circles and cells. `different`: neighbors differ in color. `filled`: the area of the circle
@@ -171,6 +173,13 @@ export const DEFAULT_LAYERS: Layers = Object.freeze({
 
 /** The largest number of circles whose method can be played step by step. */
 export const MOST_PLAYED = 1000
+
+/** @throws CircleVoronoiError `tooManyCircles` if a method is not played for this number of circles */
+export function checkPlayed(count: number): void {
+  if (count <= MOST_PLAYED) return
+  const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(count)}.`
+  throw new CircleVoronoiError('tooManyCircles', reason)
+}
 
 /** Hides everything that reveals the diagram, for exercises. */
 export function withoutDiagram({ circles, labels, grid, hidden, data }: Layers): Layers {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError, type ErrorCode } from '../lib/base/errors.ts'
 
-/** Joins names as an English list: `a, b or c`. */
+/** Joins names as a list, with the word `last` before the last one: `a, b or c`. */
 export function listed(names: readonly string[], last: string): string {
   return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} ${last} ${names.at(-1)}`
 }

@@ -6,7 +6,7 @@ import { CancelableRequests } from '../lib/threads/cancelable-requests.ts'
 import type { Channel } from '../lib/threads/channel.ts'
 import { type CircleChange, CircleTable, type Hit, type KeptIds, NO_CHANGE } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
-import type { PaintedLayers } from './layers.ts'
+import { checkPlayed, type PaintedLayers } from './layers.ts'
 import type {
   Computations,
   ComputingRequests,
@@ -215,6 +215,8 @@ export class SceneClient {
 
   async #answerTo(name: keyof Asked, args: readonly unknown[], signal: AbortSignal): Promise<unknown> {
     if (isComputation(name)) {
+      // Starting a thread only for the refusal would copy all circles.
+      if (name === 'trace') checkPlayed(this.#circles.count)
       const [options] = args as Parameters<Asked[typeof name]>
       const circles = this.#circles.circles()
       return name === 'compute'

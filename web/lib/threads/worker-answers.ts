@@ -6,7 +6,6 @@ import createMetricsModule from '../generated/circle-voronoi-metrics.js'
 import createRegionsModule from '../generated/circle-voronoi-regions.js'
 import createSphereModule from '../generated/circle-voronoi-sphere.js'
 import type { DiagramEditor } from '../wasm/editor.ts'
-import type { FitStep } from '../wasm/fit.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../wasm/library.ts'
 import { metricsOf } from '../wasm/metrics.ts'
 import { regionsOf } from '../wasm/regions.ts'
@@ -54,12 +53,11 @@ export function answerWorker(): void {
     computeSphere: async ([sphere, wasm]) => withMemory((await onSphere(wasm)).computed(sphere)),
     fitAreas: async ([{ sites, areas, lattice, ...options }, rings, wasm], { tell }) => {
       const { regionOf, fitAreas } = await regionsIn(wasm)
-      const onStep = tell && ((step: FitStep) => tell(step))
       if (rings !== undefined) {
-        return withMemory(fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep }))
+        return withMemory(fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep: tell }))
       }
       const [ax, ay, bx, by] = lattice as unknown as [number, number, number, number]
-      return withMemory(fitAreas(sites, areas, { ...options, lattice: { a: [ax, ay], b: [bx, by] }, onStep }))
+      return withMemory(fitAreas(sites, areas, { ...options, lattice: { a: [ax, ay], b: [bx, by] }, onStep: tell }))
     },
     treemap: async ([tree, rings, wasm], { tell }) => {
       const { regionOf, cellsOfTree } = await regionsIn(wasm)

@@ -76,7 +76,7 @@ function movedBy<Touched extends Touching | undefined>(touching: Touched, { x, y
   }
 }
 
-/** Returns `undefined` if the picture exceeds the canvas size or the memory, so that other scenes continue. */
+/** Returns `undefined` if drawing fails, as where a picture exceeds the canvas size or the memory. */
 function drawn<Drawn>(draw: () => Drawn): Drawn | undefined {
   try {
     return draw()

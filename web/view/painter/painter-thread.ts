@@ -11,10 +11,10 @@ import { SceneAnswers, type SceneThread } from './scene-answers.ts'
 import { Scheduler, type Steps } from './scheduler.ts'
 import { computed, traced } from './traced.ts'
 
-type SceneRequest = Exclude<keyof PainterRequests, 'start' | 'add'>
+type SceneRequest = Exclude<keyof PainterRequests, 'start' | 'add' | 'close'>
 
 /** The requests for one scene besides questions. */
-const SCENE_REQUESTS = ['open', 'edit', 'look', 'layers', 'mark', 'close'] as const
+const SCENE_REQUESTS = ['open', 'edit', 'look', 'layers', 'mark'] as const
 const QUESTIONS = Object.keys(answers) as (keyof typeof answers)[]
 const isQuestion = (name: SceneRequest): name is keyof typeof answers => name in answers
 
@@ -45,7 +45,6 @@ export function answerViews(): void {
     const answer = async ([number, ...args]: readonly [number, ...unknown[]], { signal }: { signal: AbortSignal }) => {
       const found = await inOrder(async () => {
         const scene = scenes.get(number) as SceneAnswers
-        if (name === 'close') scenes.delete(number)
         // A picture contains all layers.
         if (name === 'svg' || name === 'image') await scene.addMissing()
         return isQuestion(name)
@@ -73,6 +72,11 @@ export function answerViews(): void {
           tell: (event, data, transfer) => tell(event, { scene: number, ...data } as never, transfer),
         }
         scenes.set(number, new SceneAnswers(await library, thread))
+      }),
+    close: ([number]) =>
+      inOrder(() => {
+        scenes.get(number)?.close()
+        scenes.delete(number)
       }),
     ...(Object.fromEntries(answersByName) as Pick<Answers<PainterRequests>, SceneRequest>),
     compute: async (args) => computed(await library, ...args),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { CircleVoronoiError, postedError } from '../../lib/base/errors.ts'
+import { postedError } from '../../lib/base/errors.ts'
 import type { Edit } from '../../lib/index.ts'
 import { transferring } from '../../lib/threads/answer-requests.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
@@ -23,7 +23,7 @@ import type { Scheduler } from './scheduler.ts'
 
 /** Pause after the last edit before long computations, in milliseconds. */
 const REST = 120
-/** The opening of circles that may differ from the confirmed ones. No edit is for them. */
+/** The number of an opening for circles that may differ from the confirmed ones. No edit has it. */
 const UNKNOWN = -1
 
 /** The parts of the thread that all scenes share. */
@@ -84,7 +84,7 @@ export class SceneAnswers {
     try {
       return act(regions)
     } catch (error) {
-      if (isUnexpected(error)) this.#opening = UNKNOWN
+      if (postedError(error).code === 'internal') this.#opening = UNKNOWN
       throw error
     }
   }
@@ -125,10 +125,10 @@ export class SceneAnswers {
       tiles.stop()
       this.#fail(error)
     }
-    if (patches.length > 0) {
-      const grid = tiles.viewport?.grid.id ?? -1
-      const paintId = tiles.viewport?.paintId ?? -1
-      const painted = { kind: 'painted', grid, patches, paintId, isWhole: !tiles.isWaiting } as const
+    const { viewport } = tiles
+    if (viewport !== undefined && patches.length > 0) {
+      const { grid, paintId } = viewport
+      const painted = { kind: 'painted', grid: grid.id, patches, paintId, isWhole: !tiles.isWaiting } as const
       this.#thread.tell('painted', painted, bitmapsOf(patches))
     }
     return tiles.isWaiting
@@ -205,8 +205,4 @@ export class SceneAnswers {
 
 function bitmapsOf(patches: readonly Patch[]): readonly ImageBitmap[] {
   return patches.map(({ image }) => image)
-}
-
-function isUnexpected(error: unknown): boolean {
-  return !(error instanceof CircleVoronoiError) || error.code === 'internal'
 }

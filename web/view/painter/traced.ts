@@ -3,19 +3,15 @@ import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Edit, Lattice, Options } from '../../lib/index.ts'
 import type { CircleVoronoi } from '../../lib/wasm/library.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
-import { MOST_PLAYED } from '../layers.ts'
+import { checkPlayed } from '../layers.ts'
 import type { Computed, Traced } from '../protocol.ts'
-import { wholeNumber } from '../whole-number.ts'
 
 /**
  * Traces a method on circles in ascending order of their ids.
- * @throws CircleVoronoiError as `trace`; `tooManyCircles`
+ * @throws CircleVoronoiError as `trace` and `checkPlayed`
  */
 export function traced(library: CircleVoronoi, circles: Float64Array, ids: Int32Array, options: TraceOptions): Traced {
-  if (ids.length > MOST_PLAYED) {
-    const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(ids.length)}.`
-    throw new CircleVoronoiError('tooManyCircles', reason)
-  }
+  checkPlayed(ids.length)
   const names = [...ids]
   const edits = options.edits && byIndex(options.edits, names)
   const { diagram, kinds, discs, vertices, ...trace } = library.trace(circles, { ...options, edits })
