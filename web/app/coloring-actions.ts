@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Attributes } from '../editing/attributes.ts'
+import { type Attributes, columnIn } from '../editing/attributes.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
 import type { Layers } from '../view/layers.ts'
 import type { View } from '../view/view.ts'
@@ -28,9 +28,8 @@ export class ColoringActions {
   /** Colors cells by a column; an unknown name ends coloring by column. */
   colorBy(name: string): void {
     const { circles, attributes } = this.#editing
-    const column = attributes.columns.find((column) => column.name === name)
-    const valueAt = (id: number) => column?.values[id]
-    this.#view.setLayers({ column: column && cellValues(column, circles, valueAt) })
+    const column = columnIn(attributes, name)
+    this.#view.setLayers({ column: column && cellValues(column, circles) })
   }
 
   /** Updates the colors after an edit, a change of values or an opening. Call with each outcome. */

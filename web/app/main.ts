@@ -213,11 +213,8 @@ import('./printing.ts').then(
   // The screen is printed.
   () => {},
 )
-view.on('camera', () => persistence.changed())
-let step = store.get().step
-store.subscribe((state) => {
-  if (state.step !== step) persistence.changed()
-  step = state.step
+store.watch((state, before) => {
+  if (state.camera !== before.camera || state.step !== before.step) persistence.changed()
 })
 let addresses = 0
 const openAddress = async () => {

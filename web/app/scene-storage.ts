@@ -27,8 +27,8 @@ export class SceneStorage {
   }
 
   /**
-   * Claims an entry. Returns it with the link that the tab continues: at an address without a hash that of the tab, or of
-   * the one that was closed last; after a reload that of its address.
+   * Claims an entry. Returns it with the link that the tab continues. Without a hash, this is the link of the tab, or of
+   * the tab that was closed last; after a reload, the link of its address.
    */
   static async claim(isReload: boolean, hash: string): Promise<[SceneStorage, string | undefined]> {
     const storage = new SceneStorage()

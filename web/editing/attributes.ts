@@ -140,7 +140,8 @@ export function numbersIn(attributes: Attributes, column: string, circles: Circl
   return Float64Array.from(circles.ids(), (id) => numberIn(values?.[id]))
 }
 
-function columnIn({ columns }: Attributes, name: string): DataColumn | undefined {
+/** The column of a name. */
+export function columnIn({ columns }: Attributes, name: string): DataColumn | undefined {
   return columns.find((column) => column.name === name)
 }
 
@@ -176,10 +177,10 @@ export function membersOf(text: string): [name: string, value: string][] {
   return members
 }
 
-/** Sets the values of circles, by their ids, in a column, which is added if there is none of this name. */
+/** Sets values of circles, by their ids, in a column. A column of a new name is added. */
 export function withValues(attributes: Attributes, name: string, given: ReadonlyMap<number, string>): Attributes {
   const { columns } = attributes
-  const known = columns.find((column) => column.name === name)
+  const known = columnIn(attributes, name)
   const count = [...given.keys()].reduce((most, id) => Math.max(most, id + 1), known?.values.length ?? 0)
   const values = Array.from({ length: count }, (_, id) => given.get(id) ?? known?.values[id] ?? '')
   const column = { name, values }
@@ -189,8 +190,16 @@ export function withValues(attributes: Attributes, name: string, given: Readonly
   }
 }
 
+/** The memory of attributes, which each edit asks for. */
+const knownBytes = new WeakMap<Attributes, number>()
+
 /** Estimates the memory of attributes, in bytes. */
-export function bytesOfAttributes({ columns, ids, heights }: Attributes): number {
+export function bytesOfAttributes(attributes: Attributes): number {
+  const known = knownBytes.get(attributes)
+  if (known !== undefined) return known
+  const { columns, ids, heights } = attributes
   const bytesIn = (list: readonly string[]) => list.reduce((sum, text) => sum + 2 * text.length + 16, 0)
-  return [...columns.map(({ values }) => values), ids, heights].reduce((sum, list) => sum + bytesIn(list), 0)
+  const bytes = [...columns.map(({ values }) => values), ids, heights].reduce((sum, list) => sum + bytesIn(list), 0)
+  knownBytes.set(attributes, bytes)
+  return bytes
 }

@@ -37,11 +37,7 @@ export class CircleActions {
 
   /** The selected circles, with pending edits applied. */
   selectedCircles(): IdentifiedCircle[] {
-    if (this.isReadonly) return []
-    return this.#figure.store.get().selection.flatMap((id) => {
-      const circle = this.#figure.editing.latest(id)
-      return circle === undefined ? [] : [{ id, circle }]
-    })
+    return this.isReadonly ? [] : this.#figure.editing.latestOf(this.#figure.store.get().selection)
   }
 
   set(changes: readonly IdentifiedCircle[], gesture = this.beginGesture()): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Areas in the order of the circles and by id, and what of a domain the backend must be told.
+// Converts areas between the order of the circles and ids, and makes the message to the backend about a changed domain.
 import type { Edit } from '../lib/index.ts'
 import type { CircleTable, KeptIds } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'

@@ -192,7 +192,8 @@ export class Editing {
 
   /** Replaces those circles that are there. A drag may continue after the keyboard removed one of its circles. */
   replace(changes: readonly IdentifiedCircle[], gesture: number): void {
-    const there = changes.filter(({ id }) => this.latest(id) !== undefined)
+    const known = new Set(this.latestOf(changes.map(({ id }) => id)).map(({ id }) => id))
+    const there = changes.filter(({ id }) => known.has(id))
     const edits = there.map(({ id, circle }) => ({ kind: 'replace', id, circle }) as const)
     if (edits.length > 0) this.edit(edits, gesture)
   }
@@ -303,8 +304,17 @@ export class Editing {
 
   /** Predicts a circle's value after all pending requests, assuming that none is refused. */
   latest(id: number): Circle | undefined {
-    const last = this.#queue.works.findLast(({ made }) => made.has(id))
-    return last === undefined ? this.circles.get(id) : last.made.get(id)
+    return this.latestOf([id])[0]?.circle
+  }
+
+  /** Predicts those of some circles that are then there. Asks the queue once, because many circles may be dragged. */
+  latestOf(ids: readonly number[]): IdentifiedCircle[] {
+    const { works } = this.#queue
+    return ids.flatMap((id) => {
+      const last = works.findLast(({ made }) => made.has(id))
+      const circle = last === undefined ? this.circles.get(id) : last.made.get(id)
+      return circle === undefined ? [] : [{ id, circle }]
+    })
   }
 
   /** A new request replaces a pending one with the same `key`. Requests without a key are never replaced. */

@@ -12,7 +12,7 @@ import type { State } from './state.ts'
 import { Tools } from './tools.ts'
 
 /**
- * Everything that a user can do with a figure, by what it is about. Input handlers and panels call these actions; apart
+ * The actions of a user on a figure, grouped by their subjects. Input handlers and panels call these actions; apart
  * from results of the thread, nothing else changes the state.
  */
 export interface FigureActions {

@@ -5,7 +5,7 @@ import type { Name } from '../view/labels.ts'
 import type { OwnColors } from '../view/layers.ts'
 import { type Attributed, type Attributes, type DataColumn, textIn } from './attributes.ts'
 
-/** The columns that are made where there is none. */
+/** The names of new columns for names and colors. */
 export const NAME = 'name'
 export const COLOR = 'color'
 

@@ -110,7 +110,7 @@ export function listenToPointer(
     pressed.set(event.pointerId, point)
     if (pressed.size === 2) {
       cancel()
-      gesture = new Pinch(context, pressed)
+      gesture = new Pinch(actions.camera, pressed)
       hasMoved = true
       return
     }

@@ -144,8 +144,7 @@ export class FileActions {
   }
 
   /**
-   * Opens circles once they are read and `finish` has added what comes with them. If some rows are invalid, the error
-   * offers to skip them.
+   * Reads circles, completes them with `finish`, and opens them. If some rows are invalid, the error offers to skip them.
    */
   async #openRead(
     read: () => Promise<Read>,
@@ -522,7 +521,7 @@ export class FileActions {
       await act()
       return true
     } catch (error) {
-      this.#store.update((state) => ({ ...state, problem: (error as Error).message }))
+      this.#actions.messages.complain((error as Error).message)
       return false
     }
   }

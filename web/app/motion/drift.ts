@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Circle } from '../../lib/index.ts'
-import { toPlane } from '../../view/camera.ts'
 import type { View } from '../../view/view.ts'
 import { showStop } from '../panels/stop.ts'
 
@@ -73,7 +72,7 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
   }
   const isOn = ({ clientX, clientY }: PointerEvent): boolean => {
     const { left, top } = figure.getBoundingClientRect()
-    const { x, y } = toPlane(view.camera, view.size, { x: clientX - left, y: clientY - top })
+    const { x, y } = view.toPlane({ x: clientX - left, y: clientY - top })
     return Math.hypot(x - place.x, y - place.y) < 1.5 * place.r
   }
   showStop(true)

@@ -2,7 +2,6 @@
 import { html, render } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
 import type { Point } from '../../lib/index.ts'
-import { toPlane } from '../../view/camera.ts'
 import type { Store } from '../../view/store.ts'
 import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
@@ -24,7 +23,7 @@ export function contextMenu(
   const figure = byId('figure', HTMLElement)
 
   const itemsAt = (point: Point): readonly Item[] => {
-    const place = toPlane(view.camera, view.size, point)
+    const place = view.toPlane(point)
     const hit = view.hitAt(place, SLACK / view.camera.scale)
     const isOnCircle = hit !== undefined && hit.part !== 'cell'
     if (isOnCircle && !actions.selection.isSelected(hit.id)) actions.selection.select([hit.id])

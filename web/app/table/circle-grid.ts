@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { type DataColumn, isNumeric, numberIn, textIn, valueFrom, valueIn } from '../../editing/attributes.ts'
+import { columnIn, type DataColumn, isNumeric, numberIn, textIn, valueFrom, valueIn } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
 import type { CircleSet } from '../../editing/history.ts'
 import { NAME, nameColumn } from '../../editing/identity.ts'
@@ -353,10 +353,8 @@ export class CircleGrid implements GridContent {
   /** The sort keys of a file's column, by ascending id. */
   #keysOf(name: Column): number[] {
     if (isFixed(name)) return []
-    const column = this.#editing.attributes.columns.find((column) => column.name === dataName(name))
-    const values = Array.from(this.#editing.circles.ids(), (id) =>
-      valueIn(this.#editing.attributes, dataName(name), id),
-    )
+    const column = columnIn(this.#editing.attributes, dataName(name))
+    const values = Array.from(this.#editing.circles.ids(), (id) => column?.values[id] ?? '')
     return column !== undefined && isNumeric(column) ? values.map(numberIn) : ranksOf(values.map(textIn))
   }
 

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Point } from '../../lib/index.ts'
-import { panned } from '../../view/camera.ts'
-import type { Gesture, GestureContext } from './gesture.ts'
+import type { CameraActions } from '../camera-actions.ts'
+import type { Gesture } from './gesture.ts'
 
 /** Two fingers keep the points of the plane between them. */
 export class Pinch implements Gesture {
-  readonly #context: GestureContext
+  readonly #camera: CameraActions
   readonly #fingers: ReadonlyMap<number, Point>
   #last: Spread
 
   /** `fingers` has the current positions of both fingers. */
-  constructor(context: GestureContext, fingers: ReadonlyMap<number, Point>) {
-    this.#context = context
+  constructor(camera: CameraActions, fingers: ReadonlyMap<number, Point>) {
+    this.#camera = camera
     this.#fingers = fingers
     this.#last = spreadOf(fingers)
   }
 
   move(): void {
-    const { view, actions } = this.#context
     const next = spreadOf(this.#fingers)
     const { middle, width } = this.#last
-    view.setCamera(panned(view.camera, next.middle.x - middle.x, next.middle.y - middle.y))
-    actions.camera.zoom(next.width / width, next.middle)
+    this.#camera.pan(next.middle.x - middle.x, next.middle.y - middle.y)
+    this.#camera.zoom(next.width / width, next.middle)
     this.#last = next
   }
 }

@@ -65,7 +65,7 @@ export function gestureOn(context: GestureContext, press: Press): Gesture {
   const { view, actions } = context
   const { point, isFinger, button, shiftKey, letsPageScroll } = press
   const slack = isFinger ? FINGER_SLACK : 0
-  if (button === MIDDLE || actions.tools.tool === 'pan') return new Pan(view, point)
+  if (button === MIDDLE || actions.tools.tool === 'pan') return new Pan(actions.camera, point)
   if (actions.tools.tool === 'add') return new AddCircle(context, point)
   if (actions.tools.tool === 'draw') return new DrawRegion(context, point)
   const pathEnd = view.pathEndAt(point, slack)
@@ -75,14 +75,14 @@ export function gestureOn(context: GestureContext, press: Press): Gesture {
 
   const hit = hitAt(view, point, isFinger)
   if (shiftKey) return new SelectWithin(context, point, () => hit !== undefined && actions.selection.toggle(hit.id))
-  if (hit === undefined) return new Pan(view, point, () => actions.selection.select([]))
+  if (hit === undefined) return new Pan(actions.camera, point, () => actions.selection.select([]))
   const { id, part, inReach = 0 } = hit
   const circle = actions.circles.circle(id)
   const isSelected = actions.selection.isSelected(id)
   const isCrowded = inReach > MOST_IN_REACH && !isSelected && !letsPageScroll
   const click = () => (isFinger ? tap(context, hit) : actions.selection.select([id]))
   // A circle that is gone can still be selected.
-  if (part === 'cell' || isCrowded || circle === undefined) return new Pan(view, point, click)
+  if (part === 'cell' || isCrowded || circle === undefined) return new Pan(actions.camera, point, click)
   const grab = () => {
     if (!isSelected) actions.selection.select([id])
     // A finger covers a whole circle, so that it is selected before it is resized.
