@@ -12,13 +12,13 @@ const test = testOf('two-views', async (page) => {
 })
 
 const circleOf = (page: Page, name: 'one' | 'other', id: number) =>
-  page.evaluate(([name, id]) => views[name].circles.get(id), [name, id] as const)
+  page.evaluate(([name, id]) => views[name].editing.circles.get(id), [name, id] as const)
 
 test('two views on one page know nothing of each other', async ({ opened: page }) => {
   const other = page.locator('#other')
   const before = await other.screenshot()
   const place = await page.evaluate(() => {
-    const { camera, size } = views.one
+    const { camera, size } = views.one.view
     const { left, top } = (document.getElementById('one') as HTMLElement).getBoundingClientRect()
     return {
       x: left + 3 + size.width / 2 - camera.x * camera.scale,
@@ -36,31 +36,28 @@ test('two views on one page know nothing of each other', async ({ opened: page }
 
   // Layers, camera and selection belong to one view; errors are reported to the caller.
   await page.evaluate(() => {
-    views.one.setLayers({ hull: true, cells: 'different' })
-    views.one.setCamera({ x: 5, y: 5, scale: 10 })
-    views.one.select([1])
+    views.one.view.setLayers({ hull: true, cells: 'different' })
+    views.one.view.setCamera({ x: 5, y: 5, scale: 10 })
+    views.one.actions.selection.select([1])
   })
   await expect(page.locator('#one[aria-busy="false"]')).toBeVisible()
   expect(before.equals(await other.screenshot())).toBe(true)
   const refused = await page.evaluate(async () => {
-    const told: string[] = []
-    views.one.on('refused', ({ name }) => told.push(name))
-    views.other.on('refused', () => told.push('wrong view'))
-    await views.one.apply([{ kind: 'remove', id: 99 }]).catch(() => {})
-    return told
+    await views.one.editing.edit([{ kind: 'remove', id: 99 }])
+    return [views.one, views.other].map(({ store }) => store.get().problem !== '')
   })
-  expect(refused).toEqual(['CircleVoronoiError'])
+  expect(refused).toEqual([true, false])
 
   // Checks that nothing remains of a disposed view.
   await page.evaluate(() => views.one.dispose())
   await expect(page.locator('#one canvas')).toHaveCount(0)
-  await page.evaluate(() => views.other.apply([{ kind: 'remove', id: 1 }]))
+  await page.evaluate(() => views.other.editing.edit([{ kind: 'remove', id: 1 }]))
   await soon(() => circleOf(page, 'other', 1)).toBeUndefined()
   const again = await page.evaluate(async () => {
     views.other.dispose()
-    const view = views.mount(document.getElementById('one') as HTMLElement)
-    const { counts } = await view.setCircles(Float64Array.of(0, 0, 1, 5, 0, 1))
-    return counts
+    const { store, editing } = views.mount('one')
+    await editing.open({ circles: Float64Array.of(0, 0, 1, 5, 0, 1), dataSet: '', isEdited: false })
+    return store.get().edited?.counts
   })
   expect(again).toEqual({ circles: 2, hidden: 0, vertices: 0, edges: 1 })
 })
@@ -79,25 +76,27 @@ test('a view is written as an SVG and as a PNG that look alike, and refuses what
         context.drawImage(image, 0, 0, 400, 300)
         return { pixels: context.getImageData(0, 0, 400, 300).data, width: image.naturalWidth }
       }
-      const found = new Promise<void>((resolve) => views.one.on('found', (found) => found?.hull && resolve()))
-      views.one.setLayers({ hull: true, dual: true })
+      const found = new Promise<void>((resolve) => views.one.view.on('found', (found) => found?.hull && resolve()))
+      views.one.view.setLayers({ hull: true, dual: true })
       await found
-      const svg = await draw(new Blob([await views.toSVG(views.one)], { type: 'image/svg+xml' }))
-      const png = await draw(await views.toPNG(views.one, 1))
-      const large = await views.toPNG(views.one, 3)
+      const svg = await draw(new Blob([await views.toSVG(views.one.view)], { type: 'image/svg+xml' }))
+      const png = await draw(await views.toPNG(views.one.view, 1))
+      const large = await views.toPNG(views.one.view, 3)
       let different = 0
       for (let k = 0; k < svg.pixels.length; k++) {
         if (Math.abs((svg.pixels[k] as number) - (png.pixels[k] as number)) > 60) different += 1
       }
       const colors = new Set(Array.from({ length: 3000 }, (_, k) => png.pixels.slice(160 * k, 160 * k + 3).join()))
       // The selection is not part of the picture.
-      const before = await views.toSVG(views.one)
-      const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
-      views.one.select([0])
+      const before = await views.toSVG(views.one.view)
+      const marked = new Promise<void>((resolve) =>
+        views.one.view.on('marked', ({ selected }) => selected && resolve()),
+      )
+      views.one.actions.selection.select([0])
       await marked
-      views.one.select([0, 1])
+      views.one.actions.selection.select([0, 1])
       return {
-        isUnmarked: before === (await views.toSVG(views.one)),
+        isUnmarked: before === (await views.toSVG(views.one.view)),
         share: different / svg.pixels.length,
         colors: colors.size,
         width: (await draw(large)).width,
@@ -114,14 +113,14 @@ test('a view is written as an SVG and as a PNG that look alike, and refuses what
     const refused = await page.evaluate(async () => {
       const told: string[] = []
       const reason = (error: Error) => told.push(`${error.name}: ${error.message}`)
-      for (const scale of [0, Number.NaN, 1000]) await views.toPNG(views.one, scale).catch(reason)
+      for (const scale of [0, Number.NaN, 1000]) await views.toPNG(views.one.view, scale).catch(reason)
       try {
-        views.one.setLayers({ data: 5 as never })
+        views.one.view.setLayers({ data: 5 as never })
       } catch (error) {
         reason(error as Error)
       }
-      await views.other.apply([{ kind: 'remove', id: 1 }])
-      return { told, data: views.one.layers.data, type: (await views.toPNG(views.one, 1)).type }
+      await views.other.editing.edit([{ kind: 'remove', id: 1 }])
+      return { told, data: views.one.view.layers.data, type: (await views.toPNG(views.one.view, 1)).type }
     })
     expect(refused.told).toEqual([
       'CircleVoronoiError: The scale of a picture is a positive number, not 0.',
@@ -139,7 +138,7 @@ test('what is found stays where circles are refused, and is told to be gone once
   opened: page,
 }) => {
   const outcome = await page.evaluate(async () => {
-    const { one } = views
+    const one = views.one.view
     const told: (number | undefined)[] = []
     const isFound = () => new Promise<void>((resolve) => one.on('found', (found) => found?.hull && resolve()))
     const before = isFound()
@@ -147,11 +146,11 @@ test('what is found stays where circles are refused, and is told to be gone once
     await before
     one.on('found', (found) => told.push(found?.hull?.length))
     const picture = await views.toSVG(one)
-    await one.setCircles(Float64Array.of(0, 0, -1)).catch(() => {})
+    await one.scene.open(Float64Array.of(0, 0, -1)).catch(() => {})
     const isSame = picture === (await views.toSVG(one))
     const toldMeanwhile = [...told]
     const after = isFound()
-    await one.setCircles(Float64Array.of(0, 0, 1, 5, 0, 1))
+    await one.scene.open(Float64Array.of(0, 0, 1, 5, 0, 1))
     const toldAtOnce = [...told]
     await after
     return { isSame, toldMeanwhile, toldAtOnce, told }

@@ -56,7 +56,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await expect(sentence).toContainText('is a vertex')
 
   // The ring of the selected circle, and the steps about it.
-  await page.evaluate(() => playing.view.select([4]))
+  await page.evaluate(() => playing.select([4]))
   await expect(page.getByRole('img', { name: /^Around circle 4: / })).toBeVisible()
   await page.getByRole('combobox', { name: 'Jump to' }).selectOption('selected')
   await page.getByRole('button', { name: 'Previous match' }).click()
@@ -100,7 +100,7 @@ test('buttons give the focus to the slider at the ends, it plays again from the 
     await stop.click()
     await expect(stop).toHaveAttribute('aria-pressed', 'true')
     const steps = await page.evaluate(() => playing.player.steps)
-    await page.evaluate(() => playing.view.apply([{ kind: 'remove', id: 3 }]))
+    await page.evaluate(() => playing.view.scene.edit([{ kind: 'remove', id: 3 }]))
     await soon(() => page.evaluate(() => playing.player.steps)).not.toBe(steps)
     await page.evaluate(() => playing.stepTo(3))
     await expect(stop).toHaveAttribute('aria-pressed', 'false')

@@ -365,10 +365,10 @@ describe('areas that are given', () => {
 
 it('another region replaces one that waits only if both belong to one gesture', async () => {
   const { backend, editing } = await started()
-  const apply = vi.spyOn(backend, 'apply')
+  const edit = vi.spyOn(backend, 'edit')
   const regions = [SQUARE, RINGS, STAR, BOX].map((region, k) => editing.edit([], k < 3 ? 5 : 6, { region }))
   await Promise.all(regions)
-  expect(apply.mock.calls.map(([, change]) => change?.region)).toEqual([SQUARE, STAR, BOX])
+  expect(edit.mock.calls.map(([, change]) => change?.region)).toEqual([SQUARE, STAR, BOX])
   await editing.undo()
   expect(editing.domain.region).toEqual(STAR)
 })

@@ -5,6 +5,7 @@ import { pageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
 import { figureActions } from '../../web/editing/figure-actions.ts'
 import { INITIAL_STATE } from '../../web/editing/state.ts'
+import type { Edit } from '../../web/lib/index.ts'
 import { type Camera, NO_PADDING, type Padding, type Size } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { createStore } from '../../web/view/store.ts'
@@ -55,11 +56,10 @@ export function editingSession({
     setLayers(layers: object) {
       fake.layers = { ...fake.layers, ...layers }
     },
-    apply: (edits: Parameters<typeof computer.apply>[0]) => computer.apply(edits),
-    ask: async (): Promise<unknown> => undefined,
+    scene: { edit: (edits: readonly Edit[]) => computer.edit(edits), ask: async (): Promise<unknown> => undefined },
   }
   const view = fake as unknown as View
-  const actions = figureActions(store, editing, view, () => padding)
+  const actions = figureActions({ store, editing, view }, () => padding)
   return { computer, store, problems, editing, fake, view, actions, circles: () => [...editing.circles.circles()] }
 }
 
@@ -71,7 +71,6 @@ export function fail(error: Error): never {
 /** An editing session with the actions of the page. There are no files to read. */
 export function pageSession(options?: Parameters<typeof editingSession>[0]) {
   const session = editingSession(options)
-  const { store, editing, view } = session
   const reader = { call: () => Promise.reject(new Error('There are no files.')), cancel() {} }
-  return { ...session, actions: pageActions(store, editing, view, () => NO_PADDING, reader) }
+  return { ...session, actions: pageActions(session, () => NO_PADDING, reader) }
 }

@@ -27,10 +27,10 @@ async function started(circles = TWO) {
     failure = undefined
     if (message !== undefined) throw new Error(message)
   })
-  const apply = computer.apply.bind(computer)
-  computer.apply = (edits) => {
+  const edit = computer.edit.bind(computer)
+  computer.edit = (edits) => {
     asked.push(edits)
-    return apply(edits)
+    return edit(edits)
   }
   const editing = new Editing(
     createStore(INITIAL_STATE),
@@ -104,7 +104,7 @@ describe('Editing', () => {
     )
     await editing.open(sceneOf(TWO))
     let error: Error = new Superseded()
-    computer.apply = () => Promise.reject(error)
+    computer.edit = () => Promise.reject(error)
     expect(await editing.edit(moved(0, 1))).toBeUndefined()
     expect(problems).toEqual([])
     error = new Error('It failed.')
@@ -147,10 +147,10 @@ describe('Editing', () => {
 
   it('has the colors of the last edit that tells any, and none of former circles', async () => {
     const computer = new LibraryBackend(async () => {})
-    const { apply } = computer
+    const { edit } = computer
     let colors: string | undefined = '12'
-    computer.apply = async function (edits) {
-      return { ...(await apply.call(this, edits)), colors }
+    computer.edit = async function (edits) {
+      return { ...(await edit.call(this, edits)), colors }
     }
     const editing = new Editing(
       createStore(INITIAL_STATE),

@@ -98,7 +98,7 @@ describe('screen readers hear', () => {
       await act()
       await aTurn()
     }
-    vi.spyOn(computer, 'apply').mockRejectedValueOnce(new Error('It failed.'))
+    vi.spyOn(computer, 'edit').mockRejectedValueOnce(new Error('It failed.'))
     actions.selection.select([2])
     const removed = actions.circles.removeSelected()
     expect(selection(), 'at once').toEqual([])
@@ -135,11 +135,11 @@ describe('adding', () => {
 
   it('is one step with the circles that are asked for meanwhile', async () => {
     const { actions, editing, fake } = await started()
-    fake.ask = async () => {
+    fake.scene.ask = async () => {
       await actions.opening.open(async () => sceneOf(Float64Array.of(1, 1, 1)))
       return { x: 50, y: 50, r: 1 }
     }
-    Object.assign(fake, { cancel: () => false })
+    Object.assign(fake.scene, { cancel: () => false })
     await actions.circles.addInRoom()
     expect(editing.circles.count, 'other circles were opened').toBe(1)
   })

@@ -132,7 +132,7 @@ const rounded = (value: number) => Number(value.toPrecision(9))
 async function contentOf({ editing, view, store }: Figure) {
   const ids = [...editing.circles.ids()]
   const placeOf = (id: number) => ids.indexOf(id)
-  const told = await view.ask('tell', [ids])
+  const told = await view.scene.ask('tell', [ids])
   const cells = ids.map((id) => {
     const cell = told?.cells.get(id)
     if (cell === undefined) return undefined

@@ -64,7 +64,7 @@ async function opened({ circles = THREE, select, tool, layers, scrolls = false, 
     { figure: element, around: page, player: make('div'), said: make('p') },
     {
       scrolls,
-      actions: (...of) => figureActions(...of, () => NO_PADDING),
+      actions: (parts) => figureActions(parts, () => NO_PADDING),
       onoutcome() {},
       played: () => ({ method: 'touching-disc' }),
       keys: { showHelp: () => used.push('help'), editNumbers: () => used.push('numbers') },

@@ -15,14 +15,14 @@ export class LibraryBackend implements DiagramBackend {
     this.#before = before
   }
 
-  async setCircles(circles: Float64Array, { colors }: DomainChange = {}, kept?: KeptIds) {
+  async open(circles: Float64Array, { colors }: DomainChange = {}, kept?: KeptIds) {
     await this.#before()
     this.editor = library.edit(circles, kept)
     this.circles = new CircleTable(Float64Array.from(circles), 0, kept)
     return { ...this.#edited(), colors }
   }
 
-  async apply(edits: Parameters<DiagramBackend['apply']>[0]) {
+  async edit(edits: Parameters<DiagramBackend['edit']>[0]) {
     await this.#before()
     return this.#edited(this.editor.apply(edits))
   }

@@ -136,6 +136,8 @@ function doIt(one: SceneClient, action: Action): Promise<unknown> | undefined {
 }
 
 const listener = (failures: unknown[]): PictureEvents => ({
+  opening() {},
+  changed() {},
   painted() {},
   marked() {},
   found() {},
@@ -318,6 +320,7 @@ describe('a thread that crashes', () => {
     const scene = painter.add({
       ...listener([]),
       reopened: () => show(),
+      changed: (_, picture) => picture && marked.push(picture.marks.selected?.id),
       marked: ({ selected }) => marked.push(selected?.id),
       failed: (failure) => told.push(failure),
     })

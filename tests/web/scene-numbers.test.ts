@@ -55,7 +55,7 @@ describe('circles that are opened are not changed by', () => {
   it('a circle that is added once it is known where there is room', async () => {
     const { editing, actions, fake, circles } = await started()
     let answer = () => {}
-    fake.ask = () =>
+    fake.scene.ask = () =>
       new Promise((resolve) => {
         answer = () => resolve(undefined)
       })

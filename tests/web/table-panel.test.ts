@@ -158,7 +158,7 @@ it('a name of any length is in the link, or refused in one sentence', async () =
 })
 
 it('measures are there again after a question that was refused', async () => {
-  const asking = vi.spyOn(page.view, 'ask').mockRejectedValueOnce(new Error('refused'))
+  const asking = vi.spyOn(page.view.scene, 'ask').mockRejectedValueOnce(new Error('refused'))
   await page.actions.circles.edit([{ kind: 'replace', id: 0, circle: [0, 8, 1] }])
   await quiet()
   await page.actions.circles.edit([{ kind: 'remove', id: 3 }])

@@ -7,7 +7,9 @@ import { toSVG } from '../../web/view/export.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { mount } from '../../web/view/mount.ts'
 import type { Highlights } from '../../web/view/protocol.ts'
+import { createStore } from '../../web/view/store.ts'
 import type { View } from '../../web/view/view.ts'
+import { INITIAL_VIEW } from '../../web/view/view-state.ts'
 import { held } from './element-page.ts'
 import { draws } from './page-canvas.ts'
 import { make, measure } from './page-document.ts'
@@ -17,15 +19,17 @@ const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5)
 const { media } = surround()
 
 let view: View
+let store = createStore(INITIAL_VIEW)
 let place: HTMLElement
 beforeEach(async () => {
   document.body.innerHTML = ''
   vi.stubGlobal('matchMedia', () => media)
   place = document.body.appendChild(make('div'))
   measure(place, { clientWidth: 80, clientHeight: 60, offsetWidth: 80, offsetHeight: 60 })
-  view = mount(place)
+  store = createStore(INITIAL_VIEW)
+  view = mount(place, store)
   view.setCamera({ x: 5, y: 4, scale: 4 })
-  await view.setCircles(CIRCLES.slice())
+  await view.scene.open(CIRCLES.slice())
   await quiet()
 })
 afterEach(async () => {
@@ -37,6 +41,7 @@ afterEach(async () => {
 })
 
 const canvases = () => [...place.querySelectorAll('canvas')]
+const select = (selection: readonly number[]) => store.update((state) => ({ ...state, selection }))
 /** The events of a name, as they come. */
 function heard(name: Parameters<View['on']>[0]) {
   const told: unknown[] = []
@@ -56,7 +61,7 @@ it.each<[string, () => unknown, () => unknown]>([
     () => Object.assign(view, { sketch: undefined }),
   ],
   ['a name', () => view.setIdentities([{ id: 0, text: 'A' }], undefined), () => view.setIdentities([], undefined)],
-  ['a highlight', () => view.select([1]), () => view.select([])],
+  ['a highlight', () => select([1]), () => select([])],
 ])('%s is drawn above the picture with the next frame, and gone once it is taken away', async (_, show, hide) => {
   const overlay = canvases()[1] as HTMLCanvasElement
   draws.delete(overlay)
@@ -74,12 +79,12 @@ it.each<[string, () => unknown, () => unknown]>([
 describe('a view tells', () => {
   it('of the selected circle among new circles, also under the same id', async () => {
     const marked = heard('marked') as Highlights[]
-    view.select([1])
+    select([1])
     await quiet()
     expect(marked.at(-1)?.selected?.circle.x).toBe(10)
-    await view.setCircles(Float64Array.of(0, 0, 2, 20, 0, 1, 5, 8, 1.5))
-    view.select([])
-    view.select([1])
+    await view.scene.open(Float64Array.of(0, 0, 2, 20, 0, 1, 5, 8, 1.5))
+    select([])
+    select([1])
     await soon(() => expect(marked.at(-1)?.selected?.circle.x).toBe(20))
   })
   it('of the newest circle that is tried, and once where there is none any more', async () => {
@@ -91,15 +96,13 @@ describe('a view tells', () => {
     expect([tried.length, tried.at(-1)]).toEqual([2, undefined])
   })
 
-  it('of edits that are refused, and not of those whose circles were replaced', async () => {
-    const refused = heard('refused')
+  it('of edits that were made, and of none that is refused', async () => {
     const changed = heard('changed')
-    await expect(view.apply([{ kind: 'remove', id: 9 }])).rejects.toMatchObject({ code: 'unknownCircle' })
-    expect([refused.length, changed.length]).toEqual([1, 0])
-    const replaced = view.apply([{ kind: 'remove', id: 0 }])
-    const outcome = await Promise.allSettled([view.setCircles(CIRCLES.slice(0, 3)), replaced])
+    await expect(view.scene.edit([{ kind: 'remove', id: 9 }])).rejects.toMatchObject({ code: 'unknownCircle' })
+    expect(changed).toHaveLength(0)
+    const replaced = view.scene.edit([{ kind: 'remove', id: 0 }])
+    const outcome = await Promise.allSettled([view.scene.open(CIRCLES.slice(0, 3)), replaced])
     expect(outcome.map(({ status }) => status)).toContain('fulfilled')
-    expect(refused).toHaveLength(1)
     expect(view.circles.count).toBe(1)
   })
 

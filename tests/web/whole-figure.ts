@@ -15,7 +15,7 @@ export function newFigure(more: Partial<FigureOptions<FigureActions>> = {}) {
   const figure = new Figure(
     { figure: element, around: element, player, said },
     {
-      actions: (store, editing, view) => figureActions(store, editing, view, () => NO_PADDING),
+      actions: (parts) => figureActions(parts, () => NO_PADDING),
       onoutcome() {},
       played: (method) => ({ method: method === 'auto' ? 'auto' : 'touching-disc' }),
       ...more,

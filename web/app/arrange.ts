@@ -18,15 +18,15 @@ export function arrangeAround(store: Store<State>, view: View, actions: FigureAc
   let isWhole = camera.isWhole
   let padding = camera.covered()
   let { scene } = store.get()
-  const look = () => {
+  const noteIsWhole = () => {
     isWhole = camera.isWhole
   }
-  view.on('camera', look)
+  view.on('camera', noteIsWhole)
   // The camera of new circles is set before the circles and their region arrive.
   store.subscribe((state) => {
     if (state.scene === scene) return
     scene = state.scene
-    look()
+    noteIsWhole()
   })
   const observer = new ResizeObserver(() => {
     if (isWhole && !camera.isWhole) camera.showView(undefined)

@@ -15,8 +15,6 @@ export class ColoringActions {
   readonly #view: View
   /** The photos of the session by the attributes of their circles, which undo brings back, too. */
   readonly photos = new WeakMap<Attributes, Photo>()
-  /** The attributes of the current colors. */
-  #attributes: Attributes | undefined
   /** The layers that the last photo replaced. */
   #beforeMosaic: Partial<Layers> = { fullColor: false, circles: true, edges: true, vertices: true }
 
@@ -33,13 +31,10 @@ export class ColoringActions {
   }
 
   /** Updates the colors after an edit, a change of values or an opening. Call with each outcome. */
-  follow({ edited, isOpened }: Outcome): void {
-    const { attributes } = this.#editing
-    if (isOpened) this.#showMosaic(this.photos.has(attributes))
+  follow({ isOpened, hasNewAttributes }: Outcome): void {
+    if (isOpened) this.#showMosaic(this.photos.has(this.#editing.attributes))
     const { column } = this.#view.layers
-    const isOther = isOpened || attributes !== this.#attributes || edited.inserted.length > 0
-    this.#attributes = attributes
-    if (column !== undefined && isOther) this.colorBy(column.name)
+    if (column !== undefined && hasNewAttributes) this.colorBy(column.name)
   }
 
   /** Shows the circles of a photo as a mosaic, and others with the layers from before. */

@@ -56,7 +56,7 @@ export const figure = new Figure(
     said: byId('said', HTMLParagraphElement),
   },
   {
-    actions: (store, editing, view) => pageActions(store, editing, view, paddingOfPage, reader),
+    actions: (figure) => pageActions(figure, paddingOfPage, reader),
     keys: {
       editNumbers: async () => (await cards().catch(() => complain(NOT_LOADED)))?.(),
       showHelp: () => showHelp(),

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Editing } from '../editing/editing.ts'
-import { type FigureActions, figureActions } from '../editing/figure-actions.ts'
-import type { State } from '../editing/state.ts'
+import { type FigureActions, type FigureParts, figureActions } from '../editing/figure-actions.ts'
 import { LINK_LIMITS } from '../lib/link.ts'
 import type { Padding } from '../view/camera.ts'
-import type { Store } from '../view/store.ts'
-import type { View } from '../view/view.ts'
 import { ColoringActions } from './coloring-actions.ts'
 import { DataActions, type Reader } from './data-actions.ts'
 import { DomainActions } from './domain-actions.ts'
@@ -19,14 +15,9 @@ export interface PageActions extends FigureActions {
   readonly data: DataActions
 }
 
-export function pageActions(
-  store: Store<State>,
-  editing: Editing,
-  view: View,
-  padding: () => Padding,
-  reader: Reader,
-): PageActions {
-  const actions = figureActions(store, editing, view, padding)
+export function pageActions(figure: FigureParts, padding: () => Padding, reader: Reader): PageActions {
+  const { store, editing, view } = figure
+  const actions = figureActions(figure, padding)
   const { opening } = actions
   const coloring = new ColoringActions(editing, view)
   // Names in links are limited like circles in links.

@@ -3,11 +3,8 @@ import type { Box, Circle, Point } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toPlane, toScreen, zoomed } from '../view/camera.ts'
 import { boxOf } from '../view/domain.ts'
-import type { Store } from '../view/store.ts'
-import type { View } from '../view/view.ts'
-import type { Editing } from './editing.ts'
+import type { FigureParts } from './figure-actions.ts'
 import { cameraShowing, LARGEST_ZOOM, SMALLEST_ZOOM } from './scene-link.ts'
-import type { State } from './state.ts'
 
 /** Zoom factor of a button or key. */
 const ZOOM_STEP = 1.5
@@ -18,25 +15,21 @@ export const USUAL_RADIUS = 24
 
 /** Moves of the camera. */
 export class CameraActions {
-  readonly #store: Store<State>
-  readonly #editing: Editing
-  readonly #view: View
+  readonly #figure: FigureParts
   readonly #padding: () => Padding
   /** The parts of the picture that panels cover. */
   covered: () => Padding
 
   /** `padding` is kept free when everything is shown. */
-  constructor(store: Store<State>, editing: Editing, view: View, padding: () => Padding) {
-    this.#store = store
-    this.#editing = editing
-    this.#view = view
+  constructor(figure: FigureParts, padding: () => Padding) {
+    this.#figure = figure
     this.#padding = padding
     this.covered = padding
   }
 
   /** The part of the plane that no panel covers. */
   get uncovered(): Box {
-    const { camera, size } = this.#view
+    const { camera, size } = this.#figure.view
     const { top, right, bottom, left } = this.covered()
     const low = toPlane(camera, size, { x: left, y: size.height - bottom })
     const high = toPlane(camera, size, { x: size.width - right, y: top })
@@ -45,58 +38,60 @@ export class CameraActions {
 
   /** Whether the viewport shows all circles as large as possible. */
   get isWhole(): boolean {
-    return isSameCamera(this.#view.camera, this.fittedTo(this.#box))
+    return isSameCamera(this.#figure.view.camera, this.fittedTo(this.#box))
   }
 
   pan(dx: number, dy: number): void {
-    this.#view.setCamera(panned(this.#view.camera, dx, dy))
+    this.#figure.view.setCamera(panned(this.#figure.view.camera, dx, dy))
   }
 
   zoom(factor: number, anchor: Point): void {
-    const { camera, size } = this.#view
-    const { circles } = this.#editing
+    const { camera, size } = this.#figure.view
+    const { circles } = this.#figure.editing
     const [least, most] = this.#zoomLimits(this.#box, circles.core())
     const scale = Math.min(Math.max(camera.scale * factor, least), most)
-    this.#view.setCamera(zoomed(camera, size, anchor, scale / camera.scale))
+    this.#figure.view.setCamera(zoomed(camera, size, anchor, scale / camera.scale))
   }
 
   /** Zooms in (1) or out (-1) by one step. */
   zoomAtMiddle(steps: 1 | -1): void {
-    const { width, height } = this.#view.size
+    const { width, height } = this.#figure.view.size
     this.zoom(ZOOM_STEP ** steps, { x: width / 2, y: height / 2 })
   }
 
   /** Applies a link's viewport if it shows any of the circles. Otherwise shows all circles. */
   showView(view: LinkView | undefined): void {
-    this.#view.setCamera(this.cameraFor(view, this.#box))
+    this.#figure.view.setCamera(this.cameraFor(view, this.#box))
   }
 
   /** Zooms to the selected circles, with a margin. */
   zoomToSelection(): void {
-    const circles = this.#store.get().selection.flatMap((id) => this.#editing.circles.get(id) ?? [])
+    const circles = this.#figure.store.get().selection.flatMap((id) => this.#figure.editing.circles.get(id) ?? [])
     if (circles.length === 0) return
     const box = boundingBox(Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r])))
-    const { camera } = this.#view
+    const { camera } = this.#figure.view
     const [{ x: firstX, y: firstY }] = circles as [Circle]
     const isOnePoint = circles.every(({ x, y, r }) => r === 0 && x === firstX && y === firstY)
     // A point is shown at the size of a new circle.
     const radius = isOnePoint ? USUAL_RADIUS / camera.scale : Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2
     const half = SHOWN_AROUND * radius
     const [x, y] = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2]
-    this.#view.setCamera(this.fittedTo({ minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }))
+    this.#figure.view.setCamera(this.fittedTo({ minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }))
   }
 
   /** Shows everything. If everything is already visible, leaves out distant outliers. */
   fit(): void {
-    const { circles, domain } = this.#editing
+    const { circles, domain } = this.#figure.editing
     const [whole, core] = [this.fittedTo(this.#box), this.fittedTo(circles.core())]
     // A region is always shown in full.
-    this.#view.setCamera(domain.region === undefined && isSameCamera(this.#view.camera, whole) ? core : whole)
+    this.#figure.view.setCamera(
+      domain.region === undefined && isSameCamera(this.#figure.view.camera, whole) ? core : whole,
+    )
   }
 
   /** The bounding box of the circles and the region. */
   get #box(): Box {
-    return boxOf(this.#editing.circles.box(), this.#editing.domain)
+    return boxOf(this.#figure.editing.circles.box(), this.#figure.editing.domain)
   }
 
   #zoomLimits(box: Box, core: Box): [least: number, most: number] {
@@ -106,18 +101,18 @@ export class CameraActions {
 
   /** The camera of a link's viewport if it shows any of the circles, else of all circles. */
   cameraFor(view: LinkView | undefined, box: Box): Camera {
-    return cameraShowing(view, box, this.#view.size, this.#padding())
+    return cameraShowing(view, box, this.#figure.view.size, this.#padding())
   }
 
   fittedTo(box: Box): Camera {
-    return fitted(box, this.#view.size, this.#padding())
+    return fitted(box, this.#figure.view.size, this.#padding())
   }
 
   /** Brings the center of a circle into view. */
   revealCircle(id: number): void {
-    const circle = this.#editing.circles.get(id)
+    const circle = this.#figure.editing.circles.get(id)
     if (circle !== undefined && !this.shows(circle)) {
-      this.#view.setCamera({ ...this.#view.camera, x: circle.x, y: circle.y })
+      this.#figure.view.setCamera({ ...this.#figure.view.camera, x: circle.x, y: circle.y })
     }
   }
 
@@ -128,7 +123,7 @@ export class CameraActions {
 
   /** Whether a point is visible and not covered by a panel. */
   shows(point: Point, { top, right, bottom, left } = this.covered()): boolean {
-    const { camera, size } = this.#view
+    const { camera, size } = this.#figure.view
     const { x, y } = toScreen(camera, size, point)
     return x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
   }

@@ -37,7 +37,11 @@ export class CircleActions {
 
   /** The selected circles, with pending edits applied. */
   selectedCircles(): IdentifiedCircle[] {
-    return this.isReadonly ? [] : this.#figure.editing.latestOf(this.#figure.store.get().selection)
+    if (this.isReadonly) return []
+    return this.#figure.store.get().selection.flatMap((id) => {
+      const circle = this.#figure.editing.latest(id)
+      return circle === undefined ? [] : [{ id, circle }]
+    })
   }
 
   set(changes: readonly IdentifiedCircle[], gesture = this.beginGesture()): void {
@@ -93,7 +97,7 @@ export class CircleActions {
     const gesture = this.beginGesture()
     const { x, y, scale } = this.#figure.view.camera
     const usual = USUAL_RADIUS / scale
-    const room = await this.#figure.view.ask('room', [x, y])
+    const room = await this.#figure.view.scene.ask('room', [x, y])
     const circle = room === undefined ? { x, y, r: usual } : { ...room, r: Math.min(room.r, usual) }
     const ids = await this.add([circle], gesture)
     if (ids[0] !== undefined) this.#actions.camera.revealCircle(ids[0])

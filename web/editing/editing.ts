@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { NewestQueue } from '../lib/base/newest-queue.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 import type { CircleTable, KeptIds } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
@@ -14,12 +13,12 @@ import { type CircleSet, EMPTY_HISTORY, type History, limited, MOST_BYTES, type 
 import { PackedSteps } from './packed-steps.ts'
 import { type State, stateAfter } from './state.ts'
 
-/** The backend that computes diagrams: a view. */
+/** The backend that computes diagrams: the scene of a view. */
 export interface DiagramBackend {
   /** The current circles. */
   readonly circles: CircleTable
-  setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited>
-  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
+  open(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited>
+  edit(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
 }
 
 /** The result of a request. The rest is in the state. */
@@ -27,6 +26,8 @@ export interface Outcome {
   readonly edited: Edited
   /** Whether the circles were replaced by others. */
   readonly isOpened: boolean
+  /** Whether circles may have other names, colors or values of columns than before. */
+  readonly hasNewAttributes: boolean
 }
 
 /** A history that continues when its circles are opened again under their ids. */
@@ -35,17 +36,19 @@ export interface Past {
   readonly lastGesture: number
 }
 
-/** A confirmed request: its result, and the parts of the state that it changes. */
-interface Done {
+/** The result of a request that the backend has confirmed, and the parts of the state that it changes. */
+interface Confirmed {
   readonly edited: Edited
   readonly change: Pick<State, 'history'> & Partial<Pick<State, 'scene' | 'colors' | 'domain' | 'attributes'>>
 }
 
+/** A request, running or pending. */
 interface Job {
-  /** Maps circles to their values after an edit; `undefined` removes a circle. */
-  readonly made: ReadonlyMap<number, Circle | undefined>
+  readonly key: string | undefined
+  /** The circles that its edits change, as they are afterwards; `undefined` stands for a removed circle. */
+  circlesAfter: ReadonlyMap<number, Circle | undefined>
   /** Resolves to `undefined` if there was nothing to do. */
-  run(): Promise<Done | undefined>
+  run(): Promise<Confirmed | undefined>
 }
 
 /**
@@ -59,8 +62,10 @@ export class Editing {
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (error: Error) => void
   readonly #mostBytes: number
-  readonly #queue = new NewestQueue<Job, Edited | undefined>((job) => this.#do(job))
-  #lastKey: string | undefined
+  /** The running job, and the pending ones. */
+  #jobs: Job[] = []
+  /** The answer to the newest job. */
+  #newest: Promise<Edited | undefined> = Promise.resolve(undefined)
   #lastGesture = 0
   /** The last gesture that began before the current circles were opened. */
   #lastFormer = 0
@@ -105,7 +110,7 @@ export class Editing {
    * The number of edits and openings that are running or pending. A request counts until its listeners have returned.
    */
   get unfinished(): number {
-    return this.#queue.works.length
+    return this.#jobs.length
   }
 
   /** The opened circles without later edits. */
@@ -192,8 +197,7 @@ export class Editing {
 
   /** Replaces those circles that are there. A drag may continue after the keyboard removed one of its circles. */
   replace(changes: readonly IdentifiedCircle[], gesture: number): void {
-    const known = new Set(this.latestOf(changes.map(({ id }) => id)).map(({ id }) => id))
-    const there = changes.filter(({ id }) => known.has(id))
+    const there = changes.filter(({ id }) => this.latest(id) !== undefined)
     const edits = there.map(({ id, circle }) => ({ kind: 'replace', id, circle }) as const)
     if (edits.length > 0) this.edit(edits, gesture)
   }
@@ -204,12 +208,12 @@ export class Editing {
     change?: Partial<Domain>,
     attributes?: Attributes,
     colors?: string,
-  ): Promise<Done> {
+  ): Promise<Confirmed> {
     const before = this.#state
     const domain =
       change === undefined ? before.domain : { ...before.domain, ...change, ...areasById(change.areas, this.circles) }
     const shares = () => sharesOf(domain, this.circles, edits)
-    const edited = await this.#backend.apply(edits, domainChange(before.domain, domain, shares, colors))
+    const edited = await this.#backend.edit(edits, domainChange(before.domain, domain, shares, colors))
     const former = { domain: change && before.domain, attributes: attributes && before.attributes }
     const history = record(before.history, edited.back, gesture, former)
     return { edited, change: { history, domain, attributes: attributes ?? before.attributes } }
@@ -240,7 +244,7 @@ export class Editing {
   }
 
   /** Applies the newest entry of a side of the history. Its reverse becomes an entry of the other side. */
-  async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Done | undefined> {
+  async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Confirmed | undefined> {
     const before = this.#state
     const entry = before.history[from].at(-1)
     if (entry === undefined) return undefined
@@ -253,7 +257,7 @@ export class Editing {
     const { domain = before.domain, attributes = before.attributes } = entry
     const steps = entry.steps.unpacked()
     const change = domainChange(before.domain, domain, () => sharesOf(domain, this.circles, steps))
-    const edited = await this.#backend.apply(steps, change)
+    const edited = await this.#backend.edit(steps, change)
     const back = {
       ...entry,
       steps: PackedSteps.of(edited.back),
@@ -264,11 +268,11 @@ export class Editing {
   }
 
   /** `areAll`: no edits follow, so the scene's colors apply to its circles. */
-  async #replaceScene(scene: CircleSet, history: History, areAll = true): Promise<Done> {
+  async #replaceScene(scene: CircleSet, history: History, areAll = true): Promise<Confirmed> {
     const { circles, kept, domain = NO_DOMAIN, attributes = NO_ATTRIBUTES } = scene
     const shares = sharesInOrder(domain, circles.length / 3, kept)
     const change = domainChange(this.domain, domain, () => shares, areAll ? scene.colors : undefined)
-    const edited = await this.#backend.setCircles(circles, change, kept)
+    const edited = await this.#backend.open(circles, change, kept)
     this.#lastFormer = this.#lastGesture
     const areas = areasById(domain.areas, this.circles)
     const byId = areas === undefined ? domain : { ...domain, ...areas }
@@ -304,46 +308,45 @@ export class Editing {
 
   /** Predicts a circle's value after all pending requests, assuming that none is refused. */
   latest(id: number): Circle | undefined {
-    return this.latestOf([id])[0]?.circle
+    const last = this.#jobs.findLast(({ circlesAfter }) => circlesAfter.has(id))
+    return last === undefined ? this.circles.get(id) : last.circlesAfter.get(id)
   }
 
-  /** Predicts those of some circles that are then there. Asks the queue once, because many circles may be dragged. */
-  latestOf(ids: readonly number[]): IdentifiedCircle[] {
-    const { works } = this.#queue
-    return ids.flatMap((id) => {
-      const last = works.findLast(({ made }) => made.has(id))
-      const circle = last === undefined ? this.circles.get(id) : last.made.get(id)
-      return circle === undefined ? [] : [{ id, circle }]
-    })
-  }
-
-  /** A new request replaces a pending one with the same `key`. Requests without a key are never replaced. */
+  /** Queues a request. If the newest pending one has the same `key`, the new one replaces it. */
   #ask(run: Job['run'], edits: readonly Edit[] = [], key?: string): Promise<Edited | undefined> {
-    // A pending request may be replaced by the same gesture, but not by a later one.
-    if (key !== this.#lastKey) this.#queue.settle()
-    this.#lastKey = key
-    return this.#queue.add({ made: madeBy(edits), run }, key)
+    const circlesAfter = circlesAfterAll(edits)
+    const pending = this.#jobs.length > 1 ? this.#jobs.at(-1) : undefined
+    if (key !== undefined && pending?.key === key) Object.assign(pending, { run, circlesAfter })
+    else {
+      const job = { key, circlesAfter, run }
+      const act = () => this.#do(job)
+      this.#jobs.push(job)
+      this.#newest = this.#newest.then(act, act)
+    }
+    return this.#newest
   }
 
   async #do(job: Job): Promise<Edited | undefined> {
     try {
-      const before = this.circles
-      const done = await job.run()
-      if (done === undefined) return undefined
-      const { edited, change } = done
-      const isOpened = this.circles !== before
+      const { circles: formerCircles } = this
+      const { attributes: formerAttributes } = this.#state
+      const confirmed = await job.run()
+      if (confirmed === undefined) return undefined
+      const { edited, change } = confirmed
+      const isOpened = this.circles !== formerCircles
       this.#store.update((state) => {
         const colors = edited.colors ?? state.colors
         const next = stateAfter({ ...state, colors, ...change, edited }, this.circles, isOpened)
         return { ...next, history: limited(next.history, this.#mostBytes) }
       })
-      this.#onOutcome({ edited, isOpened })
+      const isOther = isOpened || this.attributes !== formerAttributes
+      this.#onOutcome({ edited, isOpened, hasNewAttributes: isOther || edited.inserted.length > 0 })
       return edited
     } catch (error) {
-      if (error instanceof Superseded) return undefined
-      if (!(error instanceof Error)) throw error
-      this.#onProblem(error)
+      if (!(error instanceof Superseded)) this.#onProblem(error as Error)
       return undefined
+    } finally {
+      this.#jobs.shift()
     }
   }
 }
@@ -354,12 +357,13 @@ function keyOf(gesture: number, edits: readonly Edit[]): string | undefined {
   return ids.includes(undefined) ? undefined : [gesture, ...ids].join()
 }
 
-function madeBy(edits: readonly Edit[]): Map<number, Circle | undefined> {
-  const made = new Map<number, Circle | undefined>()
+/** The existing circles that edits change, as they are afterwards; `undefined` stands for a removed circle. */
+function circlesAfterAll(edits: readonly Edit[]): Map<number, Circle | undefined> {
+  const after = new Map<number, Circle | undefined>()
   for (const edit of edits) {
-    if (edit.kind !== 'insert') made.set(edit.id, edit.kind === 'replace' ? (edit.circle as Circle) : undefined)
+    if (edit.kind !== 'insert') after.set(edit.id, edit.kind === 'replace' ? (edit.circle as Circle) : undefined)
   }
-  return made
+  return after
 }
 
 function isSame(circles: Float64Array, others: Float64Array): boolean {

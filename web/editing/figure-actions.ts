@@ -27,7 +27,7 @@ export interface FigureActions {
 /** The actions that other actions call. */
 export type SharedActions = Pick<FigureActions, 'camera' | 'selection' | 'tools' | 'messages'>
 
-/** The figure that actions act on. */
+/** A view whose circles can be edited, and the state that it shows. */
 export interface FigureParts {
   readonly store: Store<State>
   readonly editing: Editing
@@ -35,16 +35,10 @@ export interface FigureParts {
 }
 
 /** `padding` is kept free when everything is shown. */
-export function figureActions(
-  store: Store<State>,
-  editing: Editing,
-  view: View,
-  padding: () => Padding,
-): FigureActions {
-  const messages = new Messages(store, editing)
-  const tools = new Tools(store, messages)
-  const camera = new CameraActions(store, editing, view, padding)
-  const figure = { store, editing, view }
+export function figureActions(figure: FigureParts, padding: () => Padding): FigureActions {
+  const messages = new Messages(figure)
+  const tools = new Tools(figure.store, messages)
+  const camera = new CameraActions(figure, padding)
   const selection = new SelectionActions(figure, { camera, messages })
   const shared = { camera, selection, tools, messages }
   return {

@@ -141,7 +141,7 @@ export class OpeningActions {
   /** Cancels the current opening; the circles stay. */
   cancelOpening(): void {
     // Drops circles that are still loading.
-    if (!this.#figure.view.cancel()) {
+    if (!this.#figure.view.scene.cancel()) {
       this.#lastLoad += 1
       this.#stopLoading()
       this.onstage('refused', 0)

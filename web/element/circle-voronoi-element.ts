@@ -511,7 +511,7 @@ export class CircleVoronoiElement extends Base {
       if (wrong !== undefined) throw wrong
     }
     const { method, samples } = this
-    const computed = await figure.view.ask('compute', [{ method, ...(samples !== undefined && { samples }) }])
+    const computed = await figure.view.scene.ask('compute', [{ method, ...(samples !== undefined && { samples }) }])
     if (computed === undefined) refuse((words) => words.notComputedAgain, 'internal')
     if ('problem' in computed) throw new CircleVoronoiError('badOption', computed.problem)
     return computed
@@ -628,7 +628,7 @@ export class CircleVoronoiElement extends Base {
     this.#figure = new Figure(places, {
       load: (this.constructor as typeof CircleVoronoiElement).load,
       scrolls: true,
-      actions: (...of) => figureActions(...of, () => paddingBelow(controls)),
+      actions: (parts) => figureActions(parts, () => paddingBelow(controls)),
       onoutcome: ({ edited, isOpened }) => {
         this.#shell.isRunning = true
         if (isOpened) this.#checkCircles()
@@ -899,7 +899,7 @@ export class CircleVoronoiElement extends Base {
   async #tellFormNow(): Promise<void> {
     const figure = this.#figure
     const check = this.#value('check')
-    const facts = check && (await figure?.view.ask('tell', [idsOf(check)]))
+    const facts = check && (await figure?.view.scene.ask('tell', [idsOf(check)]))
     // The figure or the check may have been replaced in the meantime.
     if (figure !== this.#figure || check !== this.#value('check')) return
     const isMet = check && facts !== undefined && holds(check, facts)

@@ -19,13 +19,13 @@ export class SceneBackend implements DiagramBackend {
     this.scene = new PaintedScene(library)
   }
 
-  async setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
+  async open(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
     const opened = this.scene.open(circles, change, await this.#regionsFor(change), kept)
     this.circles = new CircleTable(Float64Array.from(opened.circles ?? circles), 0, kept)
     return this.#edited(NO_CHANGE, opened.fitted, opened.colors)
   }
 
-  async apply(edits: readonly Edit[], domain?: DomainChange): Promise<Edited> {
+  async edit(edits: readonly Edit[], domain?: DomainChange): Promise<Edited> {
     const { change, fitted, colors } = this.scene.edit(edits, domain, await this.#regionsFor(domain))
     return this.#edited(change, fitted, colors)
   }

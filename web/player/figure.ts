@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { mountEdited } from '../editing/edited-view.ts'
-import type { Editing, Outcome, Past } from '../editing/editing.ts'
-import type { FigureActions } from '../editing/figure-actions.ts'
+import { Editing, type Outcome, type Past } from '../editing/editing.ts'
+import type { FigureActions, FigureParts } from '../editing/figure-actions.ts'
+import { namesOf, ownColorsOf } from '../editing/identity.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
 import { mountLiveRegion } from '../editing/live-region.ts'
 import type { OpenRequest } from '../editing/open-request.ts'
 import { type Listening, listenToPointer } from '../editing/pointer.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
-import { type State, showStep } from '../editing/state.ts'
+import { INITIAL_STATE, type State, showStep } from '../editing/state.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
 import type { FigureLoadOptions } from '../view/load.ts'
+import { mount } from '../view/mount.ts'
 import { nextFrame } from '../view/next-frame.ts'
-import type { Store } from '../view/store.ts'
+import { createStore, type Store } from '../view/store.ts'
 import type { View } from '../view/view.ts'
 import { Stepping } from './stepping.ts'
 import type { PlayerWords } from './words.ts'
@@ -39,7 +40,7 @@ export interface FigureOptions<Actions extends FigureActions> {
   /** Additional keyboard shortcuts. */
   readonly keys?: KeyActions
   /** Returns the edits and camera moves that users can trigger. */
-  actions(store: Store<State>, editing: Editing, view: View): Actions
+  actions(parts: FigureParts): Actions
   onoutcome(outcome: Outcome): void
   /** Called when an edit is refused or an operation fails. */
   onproblem?(error: Error): void
@@ -51,7 +52,7 @@ export interface FigureOptions<Actions extends FigureActions> {
 }
 
 /** A view of circles that can be edited by pointer and keyboard, and whose method can be played. */
-export class Figure<Actions extends FigureActions = FigureActions> {
+export class Figure<Actions extends FigureActions = FigureActions> implements FigureParts {
   readonly view: View
   readonly store: Store<State>
   readonly editing: Editing
@@ -66,19 +67,27 @@ export class Figure<Actions extends FigureActions = FigureActions> {
 
   constructor({ figure, around, player, said }: FigureElements, options: FigureOptions<Actions>) {
     const { load, scrolls = false, keys = {}, onoutcome, onproblem, played, onstep, words } = options
-    const { view, store, editing } = mountEdited(figure, load, onoutcome, (error) => {
+    const store = createStore(INITIAL_STATE)
+    const view = mount(figure, store, load)
+    const confirmed = (outcome: Outcome) => {
+      if (outcome.hasNewAttributes) view.setIdentities(namesOf(editing), ownColorsOf(editing))
+      onoutcome(outcome)
+    }
+    const failed = (error: Error) => {
       // A disposed figure reports no errors.
       if (this.#keys.signal.aborted) return
       const problem = problemOf(error, editing.scene !== undefined, words?.()?.refusals)
       store.update((state) => ({ ...state, problem }))
       this.#refused = error
       onproblem?.(error)
-    })
-    const actions = options.actions(store, editing, view)
+    }
+    const editing = new Editing(store, view.scene, confirmed, failed)
+    view.on('failed', failed)
     this.#figure = figure
     this.view = view
     this.store = store
     this.editing = editing
+    const actions = options.actions(this)
     this.actions = actions
     this.stepping = new Stepping({
       container: player,
@@ -174,18 +183,18 @@ export class Figure<Actions extends FigureActions = FigureActions> {
         this.view.size.width === 0 ||
         this.#figure.ariaBusy === 'false' ||
         document.visibilityState === 'hidden'
-      const look = () => {
+      const resolveIfPainted = () => {
         if (!isPainted()) return
         observer.disconnect()
-        document.removeEventListener('visibilitychange', look)
+        document.removeEventListener('visibilitychange', resolveIfPainted)
         resolve()
       }
-      const observer = new MutationObserver(look)
+      const observer = new MutationObserver(resolveIfPainted)
       // A change that was just made may not have started painting yet.
       nextFrame(() => {
         observer.observe(this.#figure, { attributeFilter: ['aria-busy'] })
-        document.addEventListener('visibilitychange', look)
-        look()
+        document.addEventListener('visibilitychange', resolveIfPainted)
+        resolveIfPainted()
       })
     })
   }

@@ -215,7 +215,7 @@ class MethodPlayer implements Player {
     try {
       if (rest > 0) await new Promise((resolve) => setTimeout(resolve, rest))
       if (signal.aborted) return
-      const traced = await this.#view.ask('trace', [this.#options], signal)
+      const traced = await this.#view.scene.ask('trace', [this.#options], signal)
       if (signal.aborted) return
       if (traced === undefined) throw new Error(this.#words.notRun)
       const trace = new Trace(new Diagram(traced.diagram), traced.events)

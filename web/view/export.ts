@@ -19,7 +19,7 @@ const notDrawn = () => new Failure((words) => words.notDrawn)
 /** Returns the visible part of a view, or another one, as SVG text without highlights. */
 export async function toSVG(view: View, { camera, size }: ExportView = view, style = view.style): Promise<string> {
   const frame = { ...camera, ...size }
-  const drawn = await view.ask('svg', [frame, style, titlesOf(view.names, view.overlays)])
+  const drawn = await view.scene.ask('svg', [frame, style, titlesOf(view.names, view.overlays)])
   if (drawn === undefined) throw notDrawn()
   return svgPicture(frame, drawn, style, view.drawnLayers, view.names, view.overlays)
 }
@@ -35,7 +35,7 @@ export function toPrint(view: View, shot: ExportView = view): Promise<string> {
  */
 export async function toPNG(view: View, scale = devicePixelRatio, { camera, size }: ExportView = view): Promise<Blob> {
   const frame = pictureFrame(camera, size, scale)
-  const image = await view.ask('image', [frame, scale, view.style])
+  const image = await view.scene.ask('image', [frame, scale, view.style])
   if (image === undefined) throw notDrawn()
   const canvas = new OffscreenCanvas(frame.width, frame.height)
   const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D

@@ -2,9 +2,9 @@
 import './theme.css'
 import type { FigureLoadOptions } from './load.ts'
 import { Painter } from './painter.ts'
-import { createStore, type Store } from './store.ts'
+import type { Store } from './store.ts'
 import { View } from './view.ts'
-import { INITIAL_VIEW, type ViewState } from './view-state.ts'
+import type { ViewState } from './view-state.ts'
 
 /** The thread shared by all views of a page. */
 let shared: { painter: Painter; views: number } | undefined
@@ -14,11 +14,7 @@ let shared: { painter: Painter; views: number } | undefined
  * computing and painting thread, and outside their elements they listen only to the color scheme. The view draws the
  * state of `store`, and keeps none of its own.
  */
-export function mount(
-  container: HTMLElement,
-  load: FigureLoadOptions = {},
-  store: Store<ViewState> = createStore(INITIAL_VIEW),
-): View {
+export function mount(container: HTMLElement, store: Store<ViewState>, load: FigureLoadOptions = {}): View {
   shared ??= { painter: new Painter(load), views: 0 }
   const { painter } = shared
   shared.views += 1

@@ -11,11 +11,12 @@ import type {
   Computations,
   ComputingRequests,
   DomainChange,
+  EditedPicture,
   Fitted,
   GlobalResults,
   Highlights,
   Opened,
-  Painted,
+  PaintedTiles,
   PainterRequests,
   PaintRequest,
   Questions,
@@ -40,10 +41,13 @@ export interface Edited {
 
 /** The events of a view's picture. */
 export interface PictureEvents {
-  painted(painted: Painted): void
+  /** An opening has been requested. */
+  opening(): void
+  /** Circles were opened or edited. An edit has what it changed in the picture. */
+  changed(edited: Edited, picture: EditedPicture | undefined): void
+  painted(painted: PaintedTiles): void
   marked(marks: Highlights): void
-  /** `undefined`: the results belong to former circles, and new ones will follow. */
-  found(found: GlobalResults | undefined): void
+  found(found: GlobalResults): void
   /** The circles have been sent again. The layers, the viewport and the highlights are to follow. */
   reopened(): void
   /** Something failed that no request asked for. */
@@ -86,8 +90,6 @@ export type Answer<Name extends keyof Asked> = ReturnType<Asked[Name]> | undefin
 
 type Args<Name extends keyof PainterRequests> = Parameters<PainterRequests[Name]>
 
-type Followed = Omit<Opened, 'circles'> & { readonly change: CircleChange }
-
 /** The circles of one view in the painting thread. Another thread gets them after a crash. */
 export class SceneClient {
   readonly #scene: number
@@ -125,52 +127,41 @@ export class SceneClient {
 
   /**
    * Replaces the circles. Without `kept`, circle i gets id i.
-   * @throws CircleVoronoiError as `compute`; the scene stays unchanged
+   * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; the scene stays unchanged
    */
-  open(circles: Float64Array, change: DomainChange = {}, kept?: KeptIds): Promise<Edited> {
+  async open(circles: Float64Array, change: DomainChange = {}, kept?: KeptIds): Promise<Edited> {
     this.#lastOpening += 1
     const opening = this.#lastOpening
-    return this.#change('open', [this.#scene, opening, circles, kept, change], change, true, (opened) => {
-      this.#circles = new CircleTable(opened.circles ?? circles.slice(), opening, kept)
-      return { ...opened, change: NO_CHANGE }
-    })
+    const answer = this.#change('open', [this.#scene, opening, circles, kept, change], true)
+    this.events.opening()
+    const opened = await answer
+    this.#circles = new CircleTable(opened.circles ?? circles.slice(), opening, kept)
+    return this.#confirm(opened, NO_CHANGE, change, undefined)
   }
 
   /**
-   * Edits the current circles.
+   * Applies all edits or none to the current circles.
    * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
    * opened before the edits run. The scene stays unchanged
    */
-  edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
+  async edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
     const args: Args<'edit'> = [this.#scene, this.#circles.opening, edits, change]
-    return this.#change('edit', args, change, change.fit !== undefined, (edited) => {
-      if (edited === undefined) throw new Superseded()
-      this.events.marked(edited.marks)
-      this.events.painted(edited)
-      this.events.found(edited.found)
-      return edited
-    })
+    const edited = await this.#change('edit', args, change.fit !== undefined)
+    if (edited === undefined) throw new Superseded()
+    return this.#confirm(edited, edited.change, change, edited)
   }
 
-  /** Sends a change of the circles, and follows it. `isLong`: it can be canceled. */
+  /** Sends a change of the circles. `isLong`: it can be canceled. */
   async #change<Name extends 'open' | 'edit'>(
     name: Name,
     args: Args<Name>,
-    change: DomainChange,
     isLong: boolean,
-    follow: (answer: ReturnType<PainterRequests[Name]>) => Followed,
-  ): Promise<Edited> {
+  ): Promise<ReturnType<PainterRequests[Name]>> {
     if (this.#isClosed) throw failureFor(isDisposedOf)
     const channel = this.#threads.begin()
     this.#longChanges += Number(isLong)
     try {
-      const answer = await this.#requests.run(undefined, ({ signal }) => channel.request(name, args, { signal }))
-      const { counts, fitted, seconds, colors, change: changed } = follow(answer)
-      const { region = this.#domain.region, lattice = this.#domain.lattice, areSites = this.#domain.areSites } = change
-      this.#domain = { region, lattice, areSites, colors: colors ?? this.#domain.colors }
-      const back = this.#circles.follow(changed)
-      this.#threads.worked()
-      return { counts, fitted, seconds, colors, inserted: changed.inserted, back }
+      return await this.#requests.run(undefined, ({ signal }) => channel.request(name, args, { signal }))
     } catch (error) {
       if (error instanceof CircleVoronoiError) this.#threads.worked()
       // The thread may have other circles than the confirmed ones.
@@ -179,6 +170,21 @@ export class SceneClient {
     } finally {
       this.#longChanges -= Number(isLong)
     }
+  }
+
+  /** Follows a change of the circles, and tells it. */
+  #confirm(
+    { counts, fitted, seconds, colors }: Omit<Opened, 'circles'>,
+    changed: CircleChange,
+    { region = this.#domain.region, lattice = this.#domain.lattice, areSites = this.#domain.areSites }: DomainChange,
+    picture: EditedPicture | undefined,
+  ): Edited {
+    this.#domain = { region, lattice, areSites, colors: colors ?? this.#domain.colors }
+    const back = this.#circles.follow(changed)
+    this.#threads.worked()
+    const edited = { counts, fitted, seconds, colors, inserted: changed.inserted, back }
+    this.events.changed(edited, picture)
+    return edited
   }
 
   /** Cancels an opening by replacing the thread that computes it. Returns false if no opening is running. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle, Edit, Point } from '../lib/index.ts'
+import type { Circle, Point } from '../lib/index.ts'
 import { type Camera, NO_PADDING, type Padding, type Size, toPlane, toScreen } from './camera.ts'
-import type { CircleTable, Hit, KeptIds } from './circle-table.ts'
+import type { CircleTable, Hit } from './circle-table.ts'
 import { type DrawnSelection, drawnSelection } from './drawn-selection.ts'
 import { Events } from './events.ts'
 import type { Name, Names } from './labels.ts'
@@ -26,9 +26,8 @@ import {
 } from './overlay.ts'
 import { CanvasDrawing } from './painter/drawing.ts'
 import type { Painter } from './painter.ts'
-import type { DomainChange, GlobalResults, Highlights, Touching, Trial } from './protocol.ts'
-import { Superseded } from './refusal.ts'
-import type { Answer, Asked, Edited, SceneClient } from './scene-client.ts'
+import type { GlobalResults, Highlights, Painted, Touching, Trial } from './protocol.ts'
+import type { Edited, SceneClient } from './scene-client.ts'
 import { Screen } from './screen.ts'
 import type { Store } from './store.ts'
 import type { Style } from './style.ts'
@@ -57,8 +56,6 @@ export interface ViewEvents {
   readonly tried: Trial | undefined
   /** Circles were set or edited. */
   readonly changed: Edited
-  /** A change was refused, with a `CircleVoronoiError`, or another error if the thread failed. */
-  readonly refused: Error
   /** Drawing failed, or something else that no request asked for. */
   readonly failed: Error
 }
@@ -67,7 +64,8 @@ export interface ViewEvents {
 export class View {
   readonly #screen: Screen
   readonly #tiles = new TileBuffer()
-  readonly #scene: SceneClient
+  /** The circles in the painting thread. */
+  readonly scene: SceneClient
   readonly #store: Store<ViewState>
   #frame = 0
   #sharpening: ReturnType<typeof setTimeout> | undefined
@@ -116,23 +114,34 @@ export class View {
       },
       printed: () => this.#drawOverlay(),
     })
-    this.#scene = painter.add({
-      painted: (painted) => {
-        const { painted: before } = this.#tiles
-        this.#tiles.put(painted)
-        // Names wait for their cells.
-        if (this.#tiles.painted !== before) this.#overlayChanged = true
-        // The disc belonged to the former circles.
-        if (painted.kind === 'edited') this.#disc = undefined
-        this.#baseChanged = true
+    this.scene = painter.add({
+      opening: () => {
+        // The old pixels stay until new ones arrive, but the picture is incomplete.
+        this.#tiles.clear()
+        this.#requestTiles()
         this.#schedule()
       },
+      changed: (outcome, picture) => {
+        // They belonged to the former circles.
+        this.#disc = undefined
+        this.#selection = undefined
+        if (picture === undefined) {
+          this.#marked = INITIAL_VIEW
+          this.#update({ highlights: NO_HIGHLIGHTS, found: undefined })
+        } else {
+          this.#put(picture)
+          this.#outlinedAt = this.#requestedScale
+          this.#update({ highlights: picture.marks, found: picture.found })
+        }
+        this.#overlayChanges()
+        this.#events.tell('changed', outcome)
+      },
+      painted: (painted) => this.#put(painted),
       marked: (highlights) => {
         this.#outlinedAt = this.#requestedScale
         this.#update({ highlights })
-        this.#events.tell('marked', highlights)
       },
-      found: (found) => this.#findingChanges(found),
+      found: (found) => this.#update({ found }),
       reopened: () => {
         this.#drawLayers()
         this.#mark()
@@ -151,7 +160,7 @@ export class View {
   /** Asks for the descriptions of the selected and the hovered circle. */
   #mark(): void {
     const state = this.#store.get()
-    this.#scene.mark(selectedIn(state), state.hovered)
+    this.scene.mark(selectedIn(state), state.hovered)
   }
 
   /** Changes the state. `#follow` draws it. */
@@ -163,51 +172,19 @@ export class View {
   #follow(state: ViewState, before: ViewState): void {
     if (state.selection !== before.selection) this.#selection = undefined
     if (state.layers !== before.layers) {
-      if (isPathOnly(state.layers, before.layers)) this.#scene.findAgain(this.drawnLayers)
+      if (isPathOnly(state.layers, before.layers)) this.scene.findAgain(this.drawnLayers)
       else this.#drawLayers()
       this.#events.tell('layers', state.layers)
     }
     if (state.camera !== before.camera) this.#cameraChanges()
+    if (state.highlights !== before.highlights) this.#events.tell('marked', state.highlights)
+    if (state.found !== before.found) this.#events.tell('found', state.found)
     if (DRAWN_ABOVE.some((name) => state[name] !== before[name])) this.#overlayChanges()
-  }
-
-  /**
-   * Replaces the circles. Without `kept`, circle i gets id i.
-   * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; the view stays unchanged
-   */
-  setCircles(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
-    this.#tiles.clear()
-    const opened = this.#scene.open(circles, change, kept).then((edited) => {
-      this.#disc = undefined
-      // The highlights belonged to the former circles.
-      this.#marked = INITIAL_VIEW
-      this.#update({ highlights: NO_HIGHLIGHTS })
-      this.#findingChanges(undefined)
-      return edited
-    })
-    this.#requestTiles()
-    // The old pixels stay until new ones arrive, but the picture is incomplete.
-    this.#schedule()
-    return this.#reporting(opened)
-  }
-
-  /** Cancels the computation of new circles. Returns false if none is running. */
-  cancel(): boolean {
-    return this.#scene.cancel()
-  }
-
-  /**
-   * Applies all edits or none to the current circles.
-   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
-   * opened first. The view stays unchanged
-   */
-  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited> {
-    return this.#reporting(this.#scene.edit(edits, change))
   }
 
   /** The circles after all finished edits. An opening creates a new table. */
   get circles(): CircleTable {
-    return this.#scene.circles
+    return this.scene.circles
   }
 
   /** Subscribes to an event, and returns a function that unsubscribes. */
@@ -239,28 +216,15 @@ export class View {
     }
   }
 
-  /**
-   * Asks a question about the circles. Resolves to `undefined` if it was canceled or its circles have been replaced, or
-   * if the thread failed, which is the event `failed`.
-   * @throws CircleVoronoiError that says why there is no answer
-   */
-  ask<Name extends keyof Asked>(
-    name: Name,
-    args: Parameters<Asked[Name]>,
-    signal?: AbortSignal,
-  ): Promise<Answer<Name>> {
-    return this.#scene.ask(name, args, signal)
-  }
-
   /** The disc of a circle as it is drawn: a point if radii are weights. */
   discOf(id: number): Circle | undefined {
     const circle = this.circles.get(id)
-    return circle && (this.#scene.domain.areSites === true ? { ...circle, r: 0 } : circle)
+    return circle && (this.scene.domain.areSites === true ? { ...circle, r: 0 } : circle)
   }
 
   /** The circle at a point of the plane (`CircleTable.hitAt`). */
   hitAt(point: Point, slack: number, reach?: number): Hit | undefined {
-    return this.#scene.hitAt(point, slack, reach)
+    return this.scene.hitAt(point, slack, reach)
   }
 
   /** The layers. They are not drawn if only circles are shown (`hasDiagram`). */
@@ -307,9 +271,9 @@ export class View {
   }
 
   #drawLayers(): void {
-    this.#scene.setLayers(this.drawnLayers)
+    this.scene.setLayers(this.drawnLayers)
     const request = this.isShown ? this.#tiles.requestAll(this.camera, this.size) : undefined
-    if (request !== undefined) this.#scene.look(request, this.style)
+    if (request !== undefined) this.scene.look(request, this.style)
     this.#overlayChanges()
   }
 
@@ -319,7 +283,7 @@ export class View {
     const disc =
       point === undefined || !this.drawnLayers.disc
         ? undefined
-        : await this.#scene.ask('touch', [point.x, point.y, slack])
+        : await this.scene.ask('touch', [point.x, point.y, slack])
     if (this.#discAt !== point || disc === this.#disc) return
     this.#disc = disc
     this.#overlayChanges()
@@ -329,7 +293,7 @@ export class View {
   async tryCircle(circle: Circle | undefined): Promise<void> {
     this.#lastTrial += 1
     const turn = this.#lastTrial
-    const trial = circle === undefined ? undefined : await this.#scene.ask('try', [circle])
+    const trial = circle === undefined ? undefined : await this.scene.ask('try', [circle])
     if (turn !== this.#lastTrial || trial === this.#trial) return
     this.#trial = trial
     this.#overlayChanges()
@@ -366,10 +330,6 @@ export class View {
   get selected(): Circle | undefined {
     const id = selectedIn(this.#store.get())
     return id === undefined ? undefined : this.circles.get(id)
-  }
-
-  select(ids: readonly number[]): void {
-    this.#update({ selection: ids })
   }
 
   /** The selected circles as they are drawn. */
@@ -447,7 +407,7 @@ export class View {
     for (const end of this.#unsubscribe) end()
     cancelAnimationFrame(this.#frame)
     clearTimeout(this.#sharpening)
-    this.#scene.close()
+    this.scene.close()
     this.#ondispose()
     this.#screen.dispose()
   }
@@ -464,7 +424,17 @@ export class View {
     const request = this.#tiles.request(this.camera, this.size, this.#screen.pixelRatio)
     if (request === undefined) return
     this.#requestedScale = this.camera.scale
-    this.#scene.look(request, this.style)
+    this.scene.look(request, this.style)
+  }
+
+  /** Shows pixels with the next frame. */
+  #put(painted: Painted): void {
+    const { painted: before } = this.#tiles
+    this.#tiles.put(painted)
+    // Names wait for their cells.
+    if (this.#tiles.painted !== before) this.#overlayChanged = true
+    this.#baseChanged = true
+    this.#schedule()
   }
 
   #schedule(): void {
@@ -504,7 +474,7 @@ export class View {
 
   /** The names of circles, and what places them. */
   get names(): Names {
-    return { list: this.#names, circles: this.circles, domain: this.#scene.domain }
+    return { list: this.#names, circles: this.circles, domain: this.scene.domain }
   }
 
   /** The overlay without highlights. */
@@ -528,29 +498,9 @@ export class View {
     drawOverlay(new CanvasDrawing(context), frame, ratio, this.style, content)
   }
 
-  #findingChanges(found: GlobalResults | undefined): void {
-    if (found !== this.#store.get().found) this.#update({ found })
-    this.#events.tell('found', found)
-  }
-
   #overlayChanges(): void {
     this.#overlayChanged = true
     this.#schedule()
-  }
-
-  /** Reports the result of an edit as an event, too. */
-  #reporting(edited: Promise<Edited>): Promise<Edited> {
-    edited.then(
-      (outcome) => {
-        this.#selection = undefined
-        this.#overlayChanges()
-        this.#events.tell('changed', outcome)
-      },
-      (error: Error) => {
-        if (!(error instanceof Superseded)) this.#events.tell('refused', error)
-      },
-    )
-    return edited
   }
 }
 

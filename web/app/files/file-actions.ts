@@ -412,7 +412,7 @@ export class FileActions {
       const [link, key, facts] = await Promise.all([
         this.#shortLink(state),
         toPrint(this.#view, shot),
-        this.#view.ask('tell', [check === undefined ? [] : idsOf(check)]),
+        this.#view.scene.ask('tell', [check === undefined ? [] : idsOf(check)]),
         loadWords(lang),
       ])
       const { printWorksheet } = await import('./worksheet.ts')

@@ -45,7 +45,7 @@ export function driftAtStart(view: View, figure: HTMLElement, onend: () => void)
     if (!isAsked) {
       place = placeAt(now)
       isAsked = true
-      view.apply([{ kind: 'replace', id: MOVING, circle: place }]).then(() => {
+      view.scene.edit([{ kind: 'replace', id: MOVING, circle: place }]).then(() => {
         isAsked = false
       }, end)
     }

@@ -30,7 +30,7 @@ export function mountLegend(store: Store<State>, view: View): void {
   }
   const ask = async () => {
     const asked = shown
-    const answer = await view.ask('legend', [])
+    const answer = await view.scene.ask('legend', [])
     // The answer may be outdated.
     if (asked !== shown) return
     legend = answer

@@ -58,7 +58,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
 
   const measure = async () => {
     measuring = new AbortController()
-    const answer = await view.ask('measure', [], measuring.signal)
+    const answer = await view.scene.ask('measure', [], measuring.signal)
     if (answer === undefined) return
     distribution = answer
     draw()
@@ -79,7 +79,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
     computing = new AbortController()
     const { signal } = computing
     draw()
-    const answer = await view.ask('compute', [(WAYS[way] as (typeof WAYS)[number])[1]], signal)
+    const answer = await view.scene.ask('compute', [(WAYS[way] as (typeof WAYS)[number])[1]], signal)
     if (signal.aborted) return
     computed = answer
     computing = undefined

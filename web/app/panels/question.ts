@@ -373,7 +373,7 @@ export class QuestionForm {
   /** Requests the values for the conditions. */
   async #measure(): Promise<void> {
     const check = this.#check
-    const facts = await this.#view.ask('tell', [check === undefined ? [] : idsOf(check)])
+    const facts = await this.#view.scene.ask('tell', [check === undefined ? [] : idsOf(check)])
     if (check !== undefined && JSON.stringify(check) !== JSON.stringify(this.#check)) return
     this.#facts = facts
     this.#redraw()

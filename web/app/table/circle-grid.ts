@@ -336,7 +336,7 @@ export class CircleGrid implements GridContent {
     let measured: Tabulated | undefined
     if (isMeasured(sorting.column)) {
       this.#grid.render()
-      measured = await this.#view.ask('tabulate', [[sorting.column], undefined])
+      measured = await this.#view.scene.ask('tabulate', [[sorting.column], undefined])
       // A newer request has replaced this one.
       if (turn !== this.#turn) return
     }
@@ -370,7 +370,7 @@ export class CircleGrid implements GridContent {
       const ids = this.#order.slice(this.#seen[0], this.#seen[1] + 1)
       // After a refusal, the next change asks again.
       const table =
-        ids.length === 0 ? undefined : await this.#view.ask('tabulate', [MEASURED, ids]).catch(() => undefined)
+        ids.length === 0 ? undefined : await this.#view.scene.ask('tabulate', [MEASURED, ids]).catch(() => undefined)
       this.#measured = new Map(
         [...(table?.ids ?? [])].map((id, k) => [id, table?.columns.map((column) => column[k] as number) ?? []]),
       )

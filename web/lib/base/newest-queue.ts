@@ -15,7 +15,6 @@ export class NewestQueue<Work, Answer> {
   /** Pending work that newer work of the same key replaces. */
   readonly #newest = new Map<unknown, Queued<Work, Answer>>()
   readonly #act: ((work: Work) => Promise<Answer>) | undefined
-  #current: Work | undefined
   #isBusy = false
 
   /** `act` runs the work, one after the other. Without it, the work waits until it is taken. */
@@ -45,12 +44,6 @@ export class NewestQueue<Work, Answer> {
     else this.#newest.delete(key)
   }
 
-  /** The work that is running, and the pending work. */
-  get works(): readonly Work[] {
-    const waiting = this.#waiting.map(({ work }) => work)
-    return this.#current === undefined ? waiting : [this.#current, ...waiting]
-  }
-
   /** Removes and returns all pending work. */
   takeAll(): Queued<Work, Answer>[] {
     const taken = this.#waiting
@@ -64,12 +57,10 @@ export class NewestQueue<Work, Answer> {
     for (let next = this.#waiting.shift(); next !== undefined; next = this.#waiting.shift()) {
       for (const [key, queued] of this.#newest) if (queued === next) this.#newest.delete(key)
       const { work, askers } = next
-      this.#current = work
       const settle = await act(work).then(
         (answer) => (asker: (typeof askers)[number]) => asker.resolve(answer),
         (reason) => (asker: (typeof askers)[number]) => asker.reject(reason),
       )
-      this.#current = undefined
       for (const asker of askers) settle(asker)
     }
     this.#isBusy = false
