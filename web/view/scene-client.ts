@@ -2,7 +2,6 @@
 
 import { CircleVoronoiError, reasonOf } from '../lib/base/errors.ts'
 import type { Edit, Point } from '../lib/index.ts'
-import { CancelableRequests } from '../lib/threads/cancelable-requests.ts'
 import type { Channel } from '../lib/threads/channel.ts'
 import { type CircleChange, CircleTable, type Hit, type KeptIds, NO_CHANGE } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
@@ -95,11 +94,11 @@ export class SceneClient {
   readonly #scene: number
   readonly events: PictureEvents
   readonly #threads: SceneThreads
-  readonly #requests = new CancelableRequests()
+  /** Aborted when the scene is closed. */
+  readonly #closing = new AbortController()
   #lastOpening = 0
   /** The number of openings and fits that are running. */
   #longChanges = 0
-  #isClosed = false
   #circles = new CircleTable(new Float64Array())
   /** `fit` is left out, because the circles already have their fitted radii. */
   #domain: DomainChange = {}
@@ -109,6 +108,10 @@ export class SceneClient {
     this.events = events
     this.#threads = threads
     this.#send('add', [scene])
+  }
+
+  get #isClosed(): boolean {
+    return this.#closing.signal.aborted
   }
 
   /** The circles after all finished edits. An opening creates a new table. */
@@ -161,7 +164,7 @@ export class SceneClient {
     const channel = this.#threads.begin()
     this.#longChanges += Number(isLong)
     try {
-      return await this.#requests.run(undefined, ({ signal }) => channel.request(name, args, { signal }))
+      return await channel.request(name, args, { signal: this.#closing.signal })
     } catch (error) {
       if (error instanceof CircleVoronoiError) this.#threads.worked()
       // The thread may have other circles than the confirmed ones.
@@ -207,7 +210,8 @@ export class SceneClient {
     if (this.#isClosed) return undefined
     const circles = this.#circles
     try {
-      const answer = await this.#requests.run(signal, ({ signal }) => this.#answerTo(name, args, signal))
+      const signals = [this.#closing.signal, ...(signal ? [signal] : [])]
+      const answer = await this.#answerTo(name, args, AbortSignal.any(signals))
       // Drops an answer about circles that have been replaced since the question.
       return ABOUT_KNOWN.has(name) && this.#circles !== circles ? undefined : (answer as Answer<Name>)
     } catch (error) {
@@ -276,9 +280,8 @@ export class SceneClient {
   /** Closes the scene. Pending and later requests are rejected. */
   close(): void {
     this.#send('close', [this.#scene])
-    this.#isClosed = true
+    this.#closing.abort(failureFor(isDisposedOf))
     this.#threads.remove(this.#scene)
-    this.#requests.cancelAll(failureFor(isDisposedOf))
   }
 
   /** Adds the scene to a new thread. */
