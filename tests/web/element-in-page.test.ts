@@ -135,6 +135,38 @@ describe('a wrong attribute', () => {
   })
 })
 
+describe('a state', () => {
+  const VIEW = { x: 4, y: 3, span: 20 }
+  it.each<[string, Properties]>([
+    ['a view without a span', { view: { x: 1, y: 2 } }],
+    ['a view that shows nothing', { view: { ...VIEW, span: 0 } }],
+    ['a view that is none', { view: null }],
+    ['a layer that is no flag', { layers: { hull: 1 } }],
+    ['an unknown layer', { layers: { hulls: true } }],
+    ['layers that are a text', { layers: 'hull' }],
+    ['a negative step', { step: -1 }],
+    ['a step that is no number', { step: 'first' }],
+  ])('with %s is refused in one sentence, and the figure keeps the last one', async (_, wrong) => {
+    const { element } = await shown({ circles: TEXT })
+    for (const last of [{ view: VIEW }, { circles: THREE, view: VIEW, layers: { dual: true } }]) {
+      await element.setState(last)
+      await settled(element)
+      const before = element.getState()
+      for (const more of [{ view: { ...VIEW, span: 9 } }, { circles: [[1, 1, 1]] }]) {
+        await expect(element.setState({ ...more, ...wrong } as never)).rejects.toThrow(/^[A-Z][^.]*\.( [A-Z].*\.)?$/)
+        await settled(element)
+        expect(element.getState()).toEqual(before)
+      }
+    }
+  })
+
+  it('has the column of a link, which an element leaves out', async () => {
+    const { element } = await shown({ circles: TEXT })
+    await element.setState({ layers: { column: 'height', hull: true } })
+    expect(element.getState().layers).toEqual({ hull: true })
+  })
+})
+
 describe('a check', () => {
   it('that names a circle which is missing is wrong until circles have it', async () => {
     const { element, problem, errors } = await shown({ circles: TEXT, check: '{"cell": 3, "edges": 1}' })

@@ -44,7 +44,8 @@ export function parseLayers(text: string): Layers {
 }
 
 /** Checks that a view is visible at all. */
-export function checkedView({ x, y, span }: LinkView): LinkView {
+export function checkedView(view: unknown): LinkView {
+  const { x, y, span } = Object(view) as LinkView
   if (![x, y, span].every(Number.isFinite) || !(span > 0)) refuse((words) => words.view)
   return { x, y, span }
 }

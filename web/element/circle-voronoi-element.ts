@@ -10,7 +10,7 @@ import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
 import type { Check } from '../lib/check-types.ts'
 import type { Lattice } from '../lib/diagram/lattice.ts'
-import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
+import type { LayerValue, LinkInput, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import { Figure } from '../player/figure.ts'
 import type { DiagramCounts } from '../view/diagram-counts.ts'
@@ -24,7 +24,7 @@ import { Rings } from '../view/rings.ts'
 import type { View } from '../view/view.ts'
 import { checkCircles, holds, idsOf } from './check.ts'
 import { mountControls, paddingBelow } from './controls.ts'
-import { circlesWithin, linkState, regionAt, requestAt, requestOfState, requestOfText } from './data-of.ts'
+import { checkedState, circlesWithin, linkState, regionAt, requestAt, requestOfState, requestOfText } from './data-of.ts'
 import type { CircleVoronoiProps } from './frameworks.ts'
 import type { Goal } from './goal-types.ts'
 import { goalRings, goalSentence, goalsOf } from './goals.ts'
@@ -542,13 +542,11 @@ export class CircleVoronoiElement extends Base {
   /**
    * Restores a state, or opens a link. Without circles, a state changes only the parts that it names.
    *
-   * @throws CircleVoronoiError if the state cannot be shown. The figure then stays unchanged
+   * @throws CircleVoronoiError if the state cannot be shown, or if its view, a layer or its step is wrong. The figure
+   * then stays unchanged
    */
   async setState(state: LinkInput | string): Promise<void> {
-    const said: LinkState =
-      typeof state === 'string'
-        ? await linkState(state.replace(/^.*#/, ''))
-        : { ...state, circles: state.circles && coordinatesOf(state.circles) }
+    const said = typeof state === 'string' ? await linkState(state.replace(/^.*#/, '')) : checkedState(state)
     const figure = await this.#started()
     if (said.circles === undefined && said.dataSet === undefined && figure.editing.scene !== undefined) {
       await this.#byProgram(() => figure.change(said))

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { NO_ATTRIBUTES } from '../editing/attributes.ts'
 import { type OpenRequest, requestOf } from '../editing/open-request.ts'
-import type { LinkState } from '../lib/link.ts'
+import { isRecord } from '../lib/base/check.ts'
+import { coordinatesOf } from '../lib/base/coordinates.ts'
+import type { LinkInput, LinkState } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { TextCircles } from '../view/circle-text.ts'
+import { checkedLayers } from '../view/layers.ts'
 import type { Refusal } from '../view/refusal.ts'
 import { readRegion } from '../view/region-text.ts'
+import { checkedView, parseStep } from './attributes.ts'
 import { circlesOfMarkdown, circlesOfTable, readCircles } from './read-circles.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
@@ -25,6 +29,22 @@ export function requestOfState(state: LinkState): OpenRequest {
   const { circles, dataSet } = state
   if (circles === undefined && dataSet !== undefined) refuse((words) => words.dataSet(dataSet))
   return requestOf(state)
+}
+
+/**
+ * Checks the parts of a state that no computation checks.
+ * @throws CircleVoronoiError
+ */
+export function checkedState(state: LinkInput): LinkState {
+  const { circles, view, layers, step } = state
+  // The column of a state is a name.
+  if (layers !== undefined) checkedLayers(isRecord(layers) ? { ...layers, column: undefined } : layers)
+  return {
+    ...state,
+    circles: circles && coordinatesOf(circles),
+    view: view === undefined ? undefined : checkedView(view),
+    ...(step !== undefined && { step: parseStep(String(step)) }),
+  }
 }
 
 /** Decodes a link. The decoder is loaded on demand. @throws CircleVoronoiError `badInput`, `notLoaded` */
