@@ -31,6 +31,15 @@ async function setRegion() {
   await quiet()
 }
 
+it('an opening that is undone shows the whole region again', async () => {
+  const wide = SQUARE.map(([x, y]) => [10 * x, 10 * y] as const)
+  await page.actions.circles.setDomain({ region: [wide] })
+  await page.open(FIVE)
+  await page.actions.circles.undo()
+  const { minX, maxX } = page.actions.camera.uncovered
+  expect([minX <= -100, maxX >= 300, domain().region]).toEqual([true, true, [wide]])
+})
+
 describe('areas', () => {
   it.each([
     ['radius', 'by radius', [2, 3, 1, 2, 4]],

@@ -155,7 +155,7 @@ listenToMenu(
 )
 const played = mountMethod(store)
 mountScale(view)
-mountNames(store, editing)
+mountNames(store, actions)
 panelLater('table', complain, async () => (await import('./panels/table.ts')).mountTable(store, editing, actions, view))
 panelLater('files', complain, async () => (await import('./panels/files.ts')).mountFiles(await fileActions()))
 panelLater('share', complain, async () => {

@@ -196,11 +196,11 @@ export class CircleActions {
   /** While a polygon is drawn, undo removes its last corner. */
   async undo(): Promise<void> {
     if (this.#actions.tools.tool === 'draw' && this.#actions.tools.pen?.undo() === true) return
-    await this.#selecting(() => this.#go(() => this.#figure.editing.undo()))
+    await this.#selecting(() => this.#goThroughHistory('undo'))
   }
 
   redo(): Promise<void> {
-    return this.#selecting(() => this.#go(() => this.#figure.editing.redo()))
+    return this.#selecting(() => this.#goThroughHistory('redo'))
   }
 
   /** Settles once all edits that select circles are done; `undefined` if none are pending. */
@@ -217,17 +217,15 @@ export class CircleActions {
     return edited
   }
 
-  async #go(go: () => Promise<Edited | undefined>): Promise<void> {
+  async #goThroughHistory(step: 'undo' | 'redo'): Promise<void> {
     if (this.isReadonly) return
-    const { scene } = this.#figure.editing
-    const { lattice } = this.#figure.editing.domain
-    const edited = await go()
+    const { editing } = this.#figure
+    const { scene, domain } = editing
+    const edited = await editing[step]()
     const ids = [...(edited?.inserted ?? [])]
     if (ids.length > 0) this.#actions.selection.select(ids)
     if (ids.length === 1) this.#actions.camera.revealCircle(ids[0] as number)
-    if (this.#figure.editing.scene !== scene)
-      this.#figure.view.setCamera(this.#actions.camera.fittedTo(this.#figure.editing.circles.box()))
-    // Circles may have moved into the box, or back.
-    else if (this.#figure.editing.domain.lattice !== lattice) this.#actions.camera.showView(undefined)
+    // Circles that repeat have moved into their box, or back.
+    if (editing.scene !== scene || editing.domain.lattice !== domain.lattice) this.#actions.camera.showView(undefined)
   }
 }

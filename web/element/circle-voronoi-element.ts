@@ -24,7 +24,15 @@ import { Rings } from '../view/rings.ts'
 import type { View } from '../view/view.ts'
 import { checkCircles, holds, idsOf } from './check.ts'
 import { mountControls, paddingBelow } from './controls.ts'
-import { checkedState, circlesWithin, linkState, regionAt, requestAt, requestOfState, requestOfText } from './data-of.ts'
+import {
+  checkedState,
+  circlesWithin,
+  linkState,
+  regionAt,
+  requestAt,
+  requestOfState,
+  requestOfText,
+} from './data-of.ts'
 import type { CircleVoronoiProps } from './frameworks.ts'
 import type { Goal } from './goal-types.ts'
 import { goalRings, goalSentence, goalsOf } from './goals.ts'

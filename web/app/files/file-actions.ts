@@ -343,11 +343,9 @@ export class FileActions {
   async saveCard(): Promise<void> {
     await this.#try(async () => {
       const { cardOf, CARD } = await import('./card.ts')
-      const size = { width: CARD.width, height: CARD.height - CARD.caption }
-      const box = boxOf(this.#editing.circles.box(), this.#editing.domain)
-      const camera = fitted(box, size, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
+      const shot = this.#shotOf('all', { width: CARD.width, height: CARD.height - CARD.caption })
       const title = labelOf(dataSetName(this.#store.get())) || 'Voronoi diagram of circles'
-      save(await cardOf(await toPNG(this.#view, 1, { camera, size }), title, location.host), `${this.#name}-card.png`)
+      save(await cardOf(await toPNG(this.#view, 1, shot), title, location.host), `${this.#name}-card.png`)
     })
   }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { Editing } from '../../editing/editing.ts'
-import { nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../view/store.ts'
 import { describedIn, selectedIn } from '../../view/view-state.ts'
@@ -9,7 +7,7 @@ import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 /** The title, the name and the color of the selected circle. */
-export function mountIdentity(store: Store<State>, editing: Editing, actions: PageActions): void {
+export function mountIdentity(store: Store<State>, actions: PageActions): void {
   const title = byId('inspector-title', HTMLHeadingElement)
   const name = byId('field-name', HTMLInputElement)
   const color = byId('field-color', HTMLInputElement)
@@ -23,7 +21,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
   const write = () => {
     const id = writing
     writing = undefined
-    if (id !== undefined && name.value.trim() !== nameIn(editing.attributes, id))
+    if (id !== undefined && name.value.trim() !== actions.identity.nameOf(id))
       actions.identity.setName(id, name.value.trim())
   }
   name.addEventListener('change', write)
@@ -32,7 +30,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
     if (event.key !== 'Escape') return
     event.stopPropagation()
     writing = undefined
-    name.value = nameIn(editing.attributes, selectedIn(store.get()) as number)
+    name.value = actions.identity.nameOf(selectedIn(store.get()) as number)
     figure.focus()
   })
   const pick = colorPicker(actions, store)
@@ -46,7 +44,7 @@ export function mountIdentity(store: Store<State>, editing: Editing, actions: Pa
     const now = [selected, described?.color, attributes]
     if (selected === undefined || now.every((value, k) => value === shown[k])) return
     shown = now
-    const known = nameIn(editing.attributes, selected)
+    const known = actions.identity.nameOf(selected)
     title.textContent = known || `Circle ${selected}`
     if (writing !== selected) name.value = known
     name.placeholder = `Circle ${selected}`

@@ -3,7 +3,7 @@
 import { html, nothing, render } from 'lit/html.js'
 import { textIn, valueIn } from '../../editing/attributes.ts'
 import type { Editing } from '../../editing/editing.ts'
-import { isIdentity, nameIn } from '../../editing/identity.ts'
+import { isIdentity } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Described } from '../../view/protocol.ts'
 import { short } from '../../view/short.ts'
@@ -41,7 +41,7 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
         data,
       )
     }
-    const number = nameIn(editing.attributes, selected) === '' ? '' : `Circle ${selected}`
+    const number = actions.identity.nameOf(selected) === '' ? '' : `Circle ${selected}`
     const about = [number, placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
     place.hidden = about === ''
     if (place.textContent !== about) place.textContent = about

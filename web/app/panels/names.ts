@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { Editing } from '../../editing/editing.ts'
-import { nameIn } from '../../editing/identity.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../view/store.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 /** Offset from the pointer, in pixels. */
 const ASIDE = 14
 
 /** Shows the name of the circle under the pointer. */
-export function mountNames(store: Store<State>, editing: Editing): void {
+export function mountNames(store: Store<State>, { identity }: PageActions): void {
   const tag = byId('name-tag', HTMLElement)
   const figure = byId('figure', HTMLElement)
   let pointer = { x: 0, y: 0 }
@@ -26,7 +25,7 @@ export function mountNames(store: Store<State>, editing: Editing): void {
     place()
   })
   store.subscribe(({ hovered }) => {
-    const name = hovered === undefined ? '' : nameIn(editing.attributes, hovered)
+    const name = hovered === undefined ? '' : identity.nameOf(hovered)
     tag.hidden = name === ''
     if (tag.textContent !== name) tag.textContent = name
     place()

@@ -15,7 +15,7 @@ import { mountInspectorShare } from './inspector-share.ts'
  */
 export function mountSelectionCards(store: Store<State>, editing: Editing, actions: PageActions): () => void {
   const editNumbers = mountInspector(store, actions)
-  mountIdentity(store, editing, actions)
+  mountIdentity(store, actions)
   mountInspectorFacts(store, editing, actions)
   mountInspectorShare(store, actions)
   mountGroup(store, actions)
