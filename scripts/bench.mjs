@@ -3,8 +3,9 @@
 // build/bench/native.json; circle-voronoi-bench explains its options), then the WebAssembly build against the native one
 // on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly;
 // with `-- --regions` that of clipping, also of polygons and edits in WebAssembly; with `-- --periodic` that of periodic
-// diagrams; with `-- --areas` that of fits of areas, also against d3-voronoi-map; with `-- --treemaps` that of treemaps in
-// WebAssembly against d3-voronoi-treemap; with `-- --python` that of the Python package against the program and scipy.
+// diagrams; with `-- --sphere` that of diagrams on a sphere; with `-- --areas` that of fits of areas, also against
+// d3-voronoi-map; with `-- --treemaps` that of treemaps in WebAssembly against d3-voronoi-treemap; with `-- --python` that
+// of the Python package against the program and scipy.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { benchAreas } from './bench-areas.mjs'
 import { benchEdits, benchWorstEdits } from './bench-edits.mjs'
@@ -32,7 +33,9 @@ await main(async () => {
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
   const chosen = process.argv.slice(2)
   const [cities] = realData()
-  const isTable = ['--areas', '--cliffs', '--edits', '--files', '--periodic', '--regions'].includes(chosen[0])
+  const isTable = ['--areas', '--cliffs', '--edits', '--files', '--periodic', '--regions', '--sphere'].includes(
+    chosen[0],
+  )
   const families = isTable || chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
   const { status, output } = await outcomeOf(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
   if (status !== 0) throw new Error('The benchmark failed.')

@@ -33,6 +33,7 @@
 #include "periodic.h"
 #include "reference.h"
 #include "regions.h"
+#include "sphere.h"
 #include "touching_disc.h"
 
 namespace {
@@ -228,6 +229,7 @@ OptionValues defaultsOf(const std::string& table) {
             {"--sides", "1000,10000,100000,1000000"},
             {"--repetitions", "3"}};
   }
+  if (table == "--sphere") return {{"--sizes", "1000,10000,100000,1000000"}, {"--repetitions", "5"}};
   if (table == "--edits") {
     return {{"--families", "uniform,log-uniform,intersecting,hidden,grid"},
             {"--sizes", "10000,100000,1000000"},
@@ -271,7 +273,8 @@ int usage() {
                "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n"
                "       circle-voronoi-bench --periodic [--families NAME,...] [--sizes N,...] [--repetitions N]\n"
                "       circle-voronoi-bench --regions [--families NAME,...] [--sizes N,...] [--sides N,...]\n"
-               "                            [--repetitions N]\n";
+               "                            [--repetitions N]\n"
+               "       circle-voronoi-bench --sphere [--sizes N,...] [--repetitions N]\n";
   return 2;
 }
 
@@ -279,7 +282,8 @@ int usage() {
 
 int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
-  static const std::set<std::string> kTables = {"--areas", "--cliffs", "--edits", "--files", "--periodic", "--regions"};
+  static const std::set<std::string> kTables = {"--areas",    "--cliffs",  "--edits", "--files",
+                                                "--periodic", "--regions", "--sphere"};
   const bool hasTable = kTables.contains(first);
   OptionValues options = defaultsOf(first);
   for (int i = hasTable ? 2 : 1; i < argc; i += 2) {
@@ -291,6 +295,10 @@ int main(int argc, char** argv) {
   if (first == "--edits") return benchEdits(split(options["--families"]), sizesOf(options["--sizes"]), limit);
   if (first == "--areas") {
     bench::printAreas(sizesOf(options["--sizes"]), limit);
+    return 0;
+  }
+  if (first == "--sphere") {
+    bench::benchSphere(sizesOf(options["--sizes"]), repetitions);
     return 0;
   }
   if (hasTable) {
