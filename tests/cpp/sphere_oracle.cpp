@@ -91,6 +91,18 @@ LongDisc disc(const std::array<LongCap, 3>& caps, const Vec& start, const Long& 
   return {q, s};
 }
 
+/// By how much a change of the radii of three caps may change the radius of the disc that touches them.
+double magnification(const std::array<LongCap, 3>& caps, const LongDisc& exact) {
+  const Long step = 1e-20;
+  Long sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<LongCap, 3> changed = caps;
+    changed[k].r += step;
+    sum += abs(disc(changed, exact.center, exact.r).r - exact.r) / step;
+  }
+  return static_cast<double>(sum);
+}
+
 }  // namespace
 
 double exactDistance(const SphereDiagram& diagram, CircleIndex cap, double longitude, double latitude) {
@@ -110,7 +122,8 @@ SphereErrors errorsOf(const SphereDiagram& diagram) {
     const Vec place = unit(vertex.longitude, vertex.latitude);
     const Long distance = Long(vertex.distance) / radius;
     const auto& triple = diagram.vertexCaps[v];
-    const LongDisc exact = disc({caps[at(triple[0])], caps[at(triple[1])], caps[at(triple[2])]}, place, distance);
+    const std::array<LongCap, 3> three = {caps[at(triple[0])], caps[at(triple[1])], caps[at(triple[2])]};
+    const LongDisc exact = disc(three, place, distance);
     // The length from a cap's center to the vertex, the largest.
     double size = 0;
     for (const CircleIndex i : triple) {
@@ -118,10 +131,11 @@ SphereErrors errorsOf(const SphereDiagram& diagram) {
     }
     for (const CircleIndex i : triple) {
       const auto miss = static_cast<double>(abs(angle(place, caps[at(i)].center) - caps[at(i)].r - distance));
-      // Degrees are rounded.
-      errors.touch = std::max(errors.touch, (miss - 4e-16) / size);
+      // Degrees are rounded, those near 180 to half of 5e-16.
+      errors.touch = std::max(errors.touch, (miss - 5e-16) / size);
     }
-    const double wrong = static_cast<double>(abs(exact.r - distance)) / size;
+    double wrong = static_cast<double>(abs(exact.r - distance)) / size;
+    if (wrong > 1e-12) wrong /= std::max(1.0, magnification(three, exact));
     if (wrong > errors.distance) {
       errors.distance = wrong;
       errors.message = "vertex " + std::to_string(v) + ": " + std::to_string(triple[0]) + " " +

@@ -30,7 +30,8 @@ struct SphereErrors {
   /// The largest length by which the disc of a vertex fails to touch one of its caps, divided by the size of the disc
   /// and its caps.
   double touch = 0;
-  /// The largest error of a vertex's distance, divided by that size.
+  /// The largest error of a vertex's distance, divided by that size, and by the magnification of errors where the
+  /// vertex depends on the last bits of its caps.
   double distance = 0;
   std::string message;  ///< about the worst vertex
 };

@@ -161,7 +161,7 @@ void expectRight(const CapInput& input) {
   EXPECT_EQ(diagram->vertices.size(), visible < 3 ? 0 : 2 * visible - 4);
   const test::SphereErrors errors = test::errorsOf(*diagram);
   EXPECT_LE(errors.reach, 0) << errors.message << "\n" << test::describe(input.caps);
-  EXPECT_LE(errors.touch, 1e-14) << test::describe(input.caps);
+  EXPECT_LE(errors.touch, 1e-13) << test::describe(input.caps);
   EXPECT_LE(errors.distance, 1e-12) << errors.message << "\n" << test::describe(input.caps);
   const std::vector<double> all = areas(*diagram);
   if (!input.caps.empty()) {
@@ -301,6 +301,15 @@ TEST(Sphere, CapsBesideAnIllConditionedVertexAreRightOrRefused) {
     if (computeSphere(input.caps, input.options)) expectRight(input);
   }
 }
+
+// Two caps are at the same place up to the rounding of their degrees. No distance tells which of the two is nearer, so
+// that a walk that wants to come nearer stops at the one that is not a neighbor of the right cap.
+TEST(Sphere, FindsPlacesBeyondCapsAtNearlyTheSamePlace) {
+  for (const std::uint64_t seed : {13903, 27607, 46027}) expectRight(test::randomCaps(seed));
+}
+
+// The distance of one vertex has eleven digits only, as it magnifies errors of its caps ten times.
+TEST(Sphere, DistancesHaveTheDigitsOfTheirCaps) { expectRight(test::randomCaps(17133)); }
 
 TEST(Sphere, RandomPolygonsCoverTheSphereOnce) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {

@@ -65,6 +65,9 @@ inline SineCosine turned(const SineCosine& angle, double quarters) {
   }
 }
 
+/// The coefficients of the series of the arctangent divided by its argument, the last one first, without their signs.
+inline constexpr std::array kArctangent = {1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0};
+
 /// The arctangents of 0, 1/8, ..., 1.
 inline constexpr std::array kArctangents = {0.0,
                                             0.12435499454676143503,
@@ -110,7 +113,7 @@ inline double angleOf(double y, double x) {
   const double t = (ratio - near) / (1 + ratio * near);
   const double square = t * t;
   double series = 0;
-  for (int k = 7; k >= 0; --k) series = 1.0 / (2 * k + 1) - square * series;
+  for (const double coefficient : elementary::kArctangent) series = coefficient - square * series;
   double angle = elementary::kArctangents[eighths] + t * series;
   if (isSteep) angle = kPi / 2 - angle;
   if (x < 0) angle = kPi - angle;

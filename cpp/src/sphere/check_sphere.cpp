@@ -37,8 +37,9 @@ bool fits(const SphereDiagram& diagram) {
       })) {
     return false;
   }
-  if (!std::ranges::all_of(vertices, [](const SphereVertex& v) {
-        return std::isfinite(v.longitude) && std::abs(v.latitude) <= 90 && std::isfinite(v.distance);
+  if (!std::ranges::all_of(vertices, [&](const SphereVertex& v) {
+        return std::isfinite(v.longitude) && std::abs(v.latitude) <= 90 &&
+               std::abs(v.distance) <= 2 * (kPi + 1e-9) * diagram.radius;
       })) {
     return false;
   }
@@ -86,6 +87,8 @@ struct Vector3 {
   double z = 0;
 };
 
+Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// The directions at a place. Unlike views (place.h), vectors of space have all digits of the sphere's radius only,
@@ -116,22 +119,26 @@ class SphereJudge {
  public:
   explicit SphereJudge(const SphereDiagram& diagram)
       : diagram_(diagram),
-        places_(diagram),
-        tolerance_(std::max(2 * diagram.rounding, 1e-14 * diagram.radius)),
+        places_(Places::ofFew(diagram)),
+        tolerance_(sphere::toleranceOf(diagram)),
         angleTolerance_(tolerance_ / diagram.radius) {
     capAxes_.reserve(diagram.caps.size());
-    for (const Cap& c : diagram.caps) capAxes_.emplace_back(c.longitude, c.latitude);
-    vertexAxes_.reserve(diagram.vertices.size());
-    for (const SphereVertex& v : diagram.vertices) vertexAxes_.emplace_back(v.longitude, v.latitude);
+    halfRadii_.reserve(diagram.caps.size());
+    for (const Cap& c : diagram.caps) {
+      capAxes_.emplace_back(c.longitude, c.latitude);
+      halfRadii_.push_back(sineCosine(c.r / diagram.radius / 2));
+    }
   }
 
   std::optional<Error> run() {
     checkCounts();
     for (const HiddenCircle& h : diagram_.hidden) checkHidden(h);
-    corners_.resize(diagram_.vertices.size());
+    bearings_.resize(diagram_.vertices.size());
+    isNearCenter_.resize(diagram_.vertices.size());
     for (std::size_t v = 0; v < diagram_.vertices.size() && !error_; ++v) {
-      checkVertex(static_cast<std::int32_t>(v));
-      checkAround(static_cast<std::int32_t>(v));
+      const Disc disc(diagram_, static_cast<std::int32_t>(v));
+      checkVertex(disc);
+      checkAround(disc);
     }
     if (diagram_.vertices.empty()) {
       for (const Edge& e : diagram_.edges) checkNeighbors(e);
@@ -141,10 +148,16 @@ class SphereJudge {
   }
 
  private:
-  /// A vertex as seen from one of its caps.
-  struct Corner {
-    double bearing = 0;  ///< grows with the bearing, from 0 to 4 for a full turn
-    bool isNearCenter = false;
+  /// The disc around a vertex.
+  struct Disc {
+    VertexIndex vertex;
+    Axes axes;
+    SineCosine halfDistance;  ///< as an angle
+
+    Disc(const SphereDiagram& diagram, VertexIndex v)
+        : vertex(v),
+          axes(diagram.vertices[at(v)].longitude, diagram.vertices[at(v)].latitude),
+          halfDistance(sineCosine(diagram.vertices[at(v)].distance / diagram.radius / 2)) {}
   };
 
   void refuse(CircleIndex cap, const char* why) {
@@ -185,6 +198,22 @@ class SphereJudge {
     }
   }
 
+  /// Returns the sine and the cosine of half the angle between a vertex and a cap that touches its disc.
+  SineCosine halfTouch(CircleIndex i, const Disc& disc) const {
+    const auto& [sine, cosine] = disc.halfDistance;
+    const auto& [capSine, capCosine] = halfRadii_[at(i)];
+    return {sine * capCosine + cosine * capSine, cosine * capCosine - sine * capSine};
+  }
+
+  /// Whether a cap reaches far into a disc.
+  bool reachesFar(CircleIndex i, const Disc& disc) const {
+    const SineCosine half = halfTouch(i, disc);
+    const Vector3 toward = capAxes_[at(i)].up() - disc.axes.up();
+    // In this range the chord, twice the sine of half the angle, grows at least half as fast as the angle.
+    if (half.cosine >= 0.6 && std::sqrt(dot(toward, toward)) >= 2 * half.sine - kFar / 2) return false;
+    return !(reach(i, disc.vertex) <= kFar * diagram_.radius);
+  }
+
   /// Returns by how much a cap reaches into the disc of a vertex.
   double reach(CircleIndex i, VertexIndex v) const {
     const auto& [longitude, latitude, distance] = diagram_.vertices[at(v)];
@@ -192,33 +221,29 @@ class SphereJudge {
     return distance + cap(i).r - diagram_.radius * angle;
   }
 
-  void checkVertex(VertexIndex v) {
-    const Axes& axes = vertexAxes_[at(v)];
+  void checkVertex(const Disc& disc) {
+    const auto& [v, axes, halfDistance] = disc;
     const Vector3 place = axes.up();
     std::array<Vector3, 3> toward;
     std::array<double, 3> sizes{};
     bool isAtCenter = false;
-    SineCosine half;
-    double reached = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const CircleIndex i = diagram_.vertexCaps[at(v)][k];
       const Axes& center = capAxes_[at(i)];
       const Vector3 up = center.up();
-      toward[k] = {up.x - place.x, up.y - place.y, up.z - place.z};
+      toward[k] = up - place;
       const double chord = dot(toward[k], toward[k]);
-      const Vector3 sum = {up.x + place.x, up.y + place.y, up.z + place.z};
+      const Vector3 sum = up + place;
       // The sine of the angle, which is twice the product of the sine and the cosine of its half.
       sizes[k] = std::sqrt(chord * dot(sum, sum)) / 2;
-      const double angle = (diagram_.vertices[at(v)].distance + cap(i).r) / diagram_.radius;
-      if (k == 0 || angle != reached) half = sineCosine(angle / 2);
-      reached = angle;
+      const SineCosine half = halfTouch(i, disc);
       // Beyond a right angle, half of it is known better from its cosine.
       const double miss = chord < 2 ? (std::sqrt(chord) - 2 * half.sine) / half.cosine
                                     : (std::sqrt(dot(sum, sum)) - 2 * half.cosine) / half.sine;
       if (!(std::abs(miss) <= angleTolerance_)) return refuse(i, "A vertex does not touch one of its caps.");
-      corners_[at(v)][k].bearing = pseudoAngle({-center.east(toward[k]), -center.north(toward[k])});
       // At the center of a cap, and opposite to it, all directions are equally right.
-      if (!(sizes[k] > 4 * angleTolerance_)) corners_[at(v)][k].isNearCenter = isAtCenter = true;
+      if (!(sizes[k] > 4 * angleTolerance_)) isNearCenter_[at(v)][k] = isAtCenter = true;
+      bearings_[at(v)][k] = pseudoAngle({-center.east(toward[k]), -center.north(toward[k])});
     }
     if (isAtCenter) return;
     std::array<Vector, 3> directions;
@@ -239,20 +264,19 @@ class SphereJudge {
 
   /// No cap across an edge of a vertex reaches far into its disc. This follows from the other checks, but for vertices
   /// that depend on the last bits of their caps: what is right within the tolerance may be far from right there.
-  void checkAround(VertexIndex v) {
-    for (const SideIndex side : diagram_.links.vertexSides[at(v)]) {
+  void checkAround(const Disc& disc) {
+    for (const SideIndex side : diagram_.links.vertexSides[at(disc.vertex)]) {
       const VertexIndex other = diagram_.targetOf(side);
       // The other vertex gives the same answer.
-      if (other < v) continue;
+      if (other < disc.vertex) continue;
       const CircleIndex i = diagram_.circleOf(side);
       const CircleIndex beyond = thirdOf(other, i, diagram_.neighborOf(side));
-      if (!(reach(beyond, v) <= kFar * diagram_.radius)) return refuse(i, "A cap reaches into the disc of a vertex.");
+      if (reachesFar(beyond, disc)) return refuse(i, "A cap reaches into the disc of a vertex.");
     }
   }
 
-  const Corner& cornerOf(VertexIndex v, CircleIndex i) const {
-    return corners_[at(v)][positionIn(diagram_.vertexCaps[at(v)], i)];
-  }
+  /// Returns the place of a cap among those of a vertex.
+  std::size_t placeOf(CircleIndex i, VertexIndex v) const { return positionIn(diagram_.vertexCaps[at(v)], i); }
 
   /// Returns the cap of a vertex that is not one of two.
   CircleIndex thirdOf(VertexIndex v, CircleIndex i, CircleIndex j) const {
@@ -271,14 +295,16 @@ class SphereJudge {
       const CircleIndex i = diagram_.circleOf(side);
       const VertexIndex start = diagram_.originOf(side);
       const VertexIndex end = diagram_.targetOf(side);
-      const Corner& from = cornerOf(start, i);
-      const Corner& to = cornerOf(end, i);
-      const bool isWrapped = to.bearing < from.bearing;
+      const std::size_t atStart = placeOf(i, start);
+      const std::size_t atEnd = placeOf(i, end);
+      const double turn = bearings_[at(end)][atEnd] - bearings_[at(start)][atStart];
+      const bool isWrapped = turn < 0;
       turns[at(i)].count += isWrapped ? 1 : 0;
       // More than half a turn forward, or a step back, which is right within the tolerance.
-      if (to.bearing - from.bearing + (isWrapped ? 4 : 0) <= 2) continue;
+      if (turn + (isWrapped ? 4 : 0) <= 2) continue;
       const CircleIndex before = thirdOf(start, i, diagram_.neighborOf(side));
-      if (std::abs(reach(before, end)) <= tolerance_ || from.isNearCenter || to.isNearCenter) ++turns[at(i)].ties;
+      const bool isNearCenter = isNearCenter_[at(start)][atStart] || isNearCenter_[at(end)][atEnd];
+      if (isNearCenter || std::abs(reach(before, end)) <= tolerance_) ++turns[at(i)].ties;
     }
     for (std::size_t i = 0; i < turns.size(); ++i) {
       if (diagram_.links.firstSide[i] == kNone) continue;
@@ -292,9 +318,11 @@ class SphereJudge {
   const Places places_;
   const double tolerance_;
   const double angleTolerance_;
-  std::vector<std::array<Corner, 3>> corners_;  ///< of each vertex, in the order of its caps
+  /// The bearing of each vertex from its caps, in their order. It grows from 0 to 4 for a full turn.
+  std::vector<std::array<double, 3>> bearings_;
+  std::vector<std::array<bool, 3>> isNearCenter_;  ///< whether this bearing may be any
   std::vector<Axes> capAxes_;
-  std::vector<Axes> vertexAxes_;
+  std::vector<SineCosine> halfRadii_;  ///< of the caps, as angles
   std::optional<Error> error_;
 };
 

@@ -12,13 +12,15 @@
 #include "at.h"
 #include "circle_voronoi/limits.h"
 #include "circle_voronoi/sphere.h"
-#include "compute_circles.h"
+#include "construct.h"
 #include "guarded.h"
 #include "infinity.h"
 #include "number_text.h"
 #include "place.h"
 #include "spatial_order.h"
 #include "threads.h"
+#include "topology.h"
+#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -143,64 +145,34 @@ Projection projected(const SphereDiagram& diagram, const Places& places) {
   return best;
 }
 
-/// Fills edges, the caps of vertices, and links from the diagram of the plane.
-void assemble(SphereDiagram& sphere, const Diagram& plane, const Projection& projection) {
-  const auto& [pole, rest, circles, hiddenByPole, rounding] = projection;
-  const auto capOf = [&caps = projection.rest](CircleIndex circle) { return caps[at(circle)]; };
-  for (const CircleIndex i : hiddenByPole) sphere.hidden.push_back({i, pole});
-  for (const auto& [circle, by] : plane.hidden) sphere.hidden.push_back({capOf(circle), capOf(by)});
+/// Fills edges, the caps of vertices, hidden caps and links from the dual of the plane, whose point at infinity is N.
+void assemble(SphereDiagram& sphere, State plane, const Projection& projection, Threads threads) {
+  const CircleIndex pole = projection.pole;
+  const auto capOf = [&rest = projection.rest](CircleIndex circle) { return rest[at(circle)]; };
+  for (const CircleIndex i : projection.hidden) sphere.hidden.push_back({i, pole});
+  for (const auto& [circle, by] : plane.sites.hidden) sphere.hidden.push_back({capOf(circle), capOf(by)});
   std::ranges::sort(sphere.hidden, {}, [](const HiddenCircle& h) { return std::int32_t{h.circle}; });
 
-  Links& links = sphere.links;
-  links.firstSide.assign(sphere.caps.size(), kNone);
-  if (plane.hull.size() == 1) {
-    // Two visible caps.
-    const CircleIndex other = capOf(plane.hull[0]);
-    sphere.edges.push_back({std::min(pole, other), std::max(pole, other), kNone, kNone});
-    links.nextSide = {0, 1};
-  } else if (!plane.hull.empty()) {
-    // Ends at infinity become vertices, one after the other, and the sides between them the cell of N.
-    sphere.edges.reserve(plane.edges.size() + plane.hull.size());
-    sphere.vertexCaps.reserve(plane.vertices.size() + plane.hull.size());
-    for (const auto& [i, j, k] : plane.vertexCircles) sphere.vertexCaps.push_back({capOf(i), capOf(j), capOf(k)});
-    for (const Edge& e : plane.edges) sphere.edges.push_back({capOf(e.left), capOf(e.right), e.start, e.end});
-    const auto ending = [&](SideIndex side) -> VertexIndex& {
-      Edge& edge = sphere.edges[at(Diagram::edgeOf(side))];
-      return side % 2 == 0 ? edge.end : edge.start;
-    };
-    std::vector<SideIndex> unbounded;
-    for (SideIndex side = 0; side < static_cast<std::int32_t>(2 * plane.edges.size()); ++side) {
-      if (plane.targetOf(side) != kNone) continue;
-      unbounded.push_back(side);
-      ending(side) = static_cast<std::int32_t>(sphere.vertexCaps.size());
-      sphere.vertexCaps.push_back({capOf(plane.circleOf(side)), capOf(plane.neighborOf(side)), pole});
-    }
-    for (const SideIndex side : unbounded) {
-      const SideIndex next = plane.links.nextSide[at(side)];
-      sphere.edges.push_back({capOf(plane.circleOf(side)), pole, ending(side), ending(Diagram::twin(next))});
-    }
-    // The side of the k-th cap of a vertex begins there if its neighbor comes before it, and ends there if it comes
-    // after.
-    links.vertexSides.resize(sphere.vertexCaps.size());
-    links.nextSide.resize(2 * sphere.edges.size());
-    const auto positionIn = [](const std::array<CircleIndex, 3>& caps, CircleIndex cap) {
-      return static_cast<std::size_t>(std::ranges::find(caps, cap) - caps.begin());
-    };
-    const auto sideCount = static_cast<std::int32_t>(2 * sphere.edges.size());
-    for (SideIndex side = 0; side < sideCount; ++side) {
-      const VertexIndex start = sphere.originOf(side);
-      links.vertexSides[at(start)][positionIn(sphere.vertexCaps[at(start)], sphere.circleOf(side))] = side;
-    }
-    for (SideIndex side = 0; side < sideCount; ++side) {
-      const VertexIndex end = sphere.targetOf(side);
-      links.nextSide[at(side)] =
-          links.vertexSides[at(end)][positionIn(sphere.vertexCaps[at(end)], sphere.circleOf(side))];
-    }
+  const std::vector<int>& circleOf = plane.sites.indices;
+  if (circleOf.size() == 1) {
+    const auto [first, second] = std::minmax({pole, capOf(circleOf[0])});
+    sphere.edges.push_back({first, second, kNone, kNone});
+    sphere.links.nextSide = {0, 1};
+    sphere.links.firstSide.assign(sphere.caps.size(), kNone);
+    sphere.links.firstSide[at(first)] = 0;
+    sphere.links.firstSide[at(second)] = 1;
+    return;
   }
-  for (auto edge = static_cast<std::int32_t>(sphere.edges.size()) - 1; edge >= 0; --edge) {
-    links.firstSide[at(sphere.edges[at(edge)].right)] = 2 * edge + 1;
-    links.firstSide[at(sphere.edges[at(edge)].left)] = 2 * edge;
-  }
+  plane.verdict.proof = {};
+  threads.forEach(plane.dual.origin.size(), [&](std::size_t h) {
+    int& corner = plane.dual.origin[h];
+    corner = corner == kPointAtInfinity ? pole : capOf(circleOf[at(corner)]);
+  });
+  const std::vector<VertexIndex> vertices = verticesOf(plane.dual, threads);
+  Topology topology =
+      topologyOf(std::move(plane.dual), vertices, static_cast<int>(sphere.caps.size()), sphere.links, threads);
+  sphere.vertexCaps = std::move(topology.vertexCircles);
+  sphere.edges = std::move(topology.edges);
 }
 
 /// Gives each cap of a diagram the index that is listed for it.
@@ -244,18 +216,18 @@ Result<SphereDiagram> computeValid(std::span<const Cap> caps, const SphereOption
   sphere.caps.reserve(caps.size());
   for (const int i : indices) sphere.caps.push_back(caps[static_cast<std::size_t>(i)]);
   const Places places(sphere);
-  const Projection projection = projected(sphere, places);
+  Projection projection = projected(sphere, places);
+  auto circles = validate(std::exchange(projection.circles, {}), true);
+  if (!circles) return circles.error();
   Options planar;
-  planar.weights = true;
   planar.threads = options.threads;
-  const auto plane = computeCircles(projection.circles, planar);
-  if (!plane) {
-    Error error = plane.error();
-    if (error.circle != kNone) error.circle = indices[at(projection.rest[static_cast<std::size_t>(error.circle)])];
-    return error;
+  Journal journal(planar.progress);
+  State plane = construct(*std::move(circles), planar, journal);
+  if (!plane.verdict.isRight()) {
+    return Error{ErrorCode::notCertified, kNone, "No construction led to a certified diagram of the projected caps."};
   }
   sphere.rounding = options.radius * projection.rounding;
-  assemble(sphere, *plane, projection);
+  assemble(sphere, std::move(plane), projection, threads);
   sphere.vertices.resize(sphere.vertexCaps.size());
   threads.forEach(sphere.vertices.size(), [&](std::size_t v) {
     const sphere::Touch touch = places.touch(sphere.vertexCaps[v]);

@@ -16,6 +16,11 @@ namespace circle_voronoi::sphere {
 // Places are seen from one another along the ground, in the directions east (x) and north (y). All differences come
 // from differences of degrees, so that they have all their digits however near the places are.
 
+/// The length up to which distances in a diagram are the same: it is right for caps that differ by its rounding.
+inline double toleranceOf(const SphereDiagram& diagram) {
+  return std::max(2 * diagram.rounding, 1e-14 * diagram.radius);
+}
+
 /// A place on the sphere.
 struct Place {
   double longitude = 0;  ///< from -180 to before 180; 0 at a pole

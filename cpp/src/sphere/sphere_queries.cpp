@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,7 @@ bool isBetween(const SphereDiagram& diagram, const Places& places, const Edge& e
   const double distance = distanceTo(diagram, places, edge.left, place);
   for (const VertexIndex v : {edge.start, edge.end}) {
     for (const CircleIndex cap : diagram.vertexCaps[at(v)]) {
-      if (distanceTo(diagram, places, cap, place) < distance - 1e-14 * diagram.radius) return false;
+      if (distanceTo(diagram, places, cap, place) < distance - sphere::toleranceOf(diagram)) return false;
     }
   }
   const auto bearingOf = [&](double longitude, double latitude) {
@@ -69,26 +70,45 @@ class SphereFinder::Walker {
 
   CircleIndex find(double longitude, double latitude) const {
     const Place place = sphere::placeAt(longitude, latitude);
-    CircleIndex cap = starts_.near({place.longitude, place.latitude}, 0, [](CircleIndex) { return true; });
-    if (cap == kNone) return kNone;
-    double distance = distanceTo(diagram_, places_, cap, place);
+    const CircleIndex start = starts_.near({place.longitude, place.latitude}, 0, [](CircleIndex) { return true; });
+    if (start == kNone) return kNone;
+    Near nearest = {start, distanceTo(diagram_, places_, start, place)};
+    const double tolerance = sphere::toleranceOf(diagram_);
     for (;;) {
-      CircleIndex nearest = cap;
-      for (const SideIndex side : diagram_.sides(cap)) {
-        const CircleIndex neighbor = diagram_.neighborOf(side);
-        const double its = distanceTo(diagram_, places_, neighbor, place);
-        // The distance decreases with each step, so that the walk ends.
-        if (its < distance) {
-          distance = its;
-          nearest = neighbor;
-        }
-      }
-      if (nearest == cap) return cap;
-      cap = nearest;
+      // The distance decreases with each step, so that the walk ends.
+      const Near next = nearestAround(nearest, tolerance, place);
+      const bool isDone = next.distance >= nearest.distance - tolerance;
+      nearest = next;
+      if (isDone) return nearest.cap;
     }
   }
 
  private:
+  struct Near {
+    CircleIndex cap;
+    double distance;
+  };
+
+  /// Returns the nearest among a cap and its neighbors. If none is nearer by more than the tolerance, this goes on with
+  /// neighbors that are as near: one of two caps at nearly the same place may be the only way to the other's neighbors,
+  /// and no nearer up to rounding.
+  Near nearestAround(const Near& from, double tolerance, const Place& place) const {
+    Near nearest = from;
+    std::vector<CircleIndex> tied = {from.cap};
+    std::unordered_set<std::int32_t> known;
+    for (std::size_t k = 0; k < tied.size() && nearest.distance >= from.distance - tolerance; ++k) {
+      const CircleIndex around = tied[k];
+      for (const SideIndex side : diagram_.sides(around)) {
+        const CircleIndex cap = diagram_.neighborOf(side);
+        const double distance = distanceTo(diagram_, places_, cap, place);
+        if (distance < nearest.distance) nearest = {cap, distance};
+        if (std::abs(distance - from.distance) > tolerance || cap == from.cap) continue;
+        if (known.insert(cap).second) tied.push_back(cap);
+      }
+    }
+    return nearest;
+  }
+
   const SphereDiagram& diagram_;
   Places places_;
   BucketGrid starts_;  ///< by degrees
