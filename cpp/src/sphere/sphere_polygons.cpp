@@ -372,22 +372,36 @@ class CellPolygons {
   /// Returns the pieces of an edge. At level 0, all edges of its left cap are followed together.
   const std::vector<Piece>& piecesOf(EdgeIndex edge, int level) {
     const CircleIndex left = diagram_.edges[at(edge)].left;
-    if (level == 0 && isFollowed_[at(left)]) return pieces_[at(edge)];
-    const auto found = level == 0 ? raised_.end() : raised_.find({edge, level});
-    if (found != raised_.end()) return found->second;
     const Sampler sampler = samplerOf(left, level);
     const sphere::Reach reach = sphere::reachOf(diagram_, left, maxDistance_);
-    for (const CellSide& side : sphere::sidesOf(diagram_, places_, left)) {
-      if (side.side % 2 == 1) continue;
-      const EdgeIndex its = SphereDiagram::edgeOf(side.side);
-      if (level == 0) {
-        pieces_[at(its)] = followed(side, sampler, reach);
-      } else if (its == edge) {
-        return raised_[{edge, level}] = followed(side, sampler, reach);
+    if (level == 0) {
+      if (!isFollowed_[at(left)]) {
+        forEachEdgeOf(left,
+                      [&](EdgeIndex its, const CellSide& side) { pieces_[at(its)] = followed(side, sampler, reach); });
       }
+      isFollowed_[at(left)] = true;
+      return pieces_[at(edge)];
     }
-    isFollowed_[at(left)] = true;
-    return pieces_[at(edge)];
+    const auto [pieces, isNew] = raised_.try_emplace({edge, level});
+    if (isNew) pieces->second = followed(raisedSideOf(edge), sampler, reach);
+    return pieces->second;
+  }
+
+  /// Calls use(edge, its side) for each edge with a cap on its left.
+  template <class Use>
+  void forEachEdgeOf(CircleIndex left, Use use) const {
+    for (const CellSide& side : sphere::sidesOf(diagram_, places_, left)) {
+      if (side.side % 2 == 0) use(SphereDiagram::edgeOf(side.side), side);
+    }
+  }
+
+  /// Returns the left side of an edge. The sides of its cell are kept, for many edges of a large one may be raised.
+  const CellSide& raisedSideOf(EdgeIndex edge) {
+    if (!raisedSides_.contains(edge)) {
+      forEachEdgeOf(diagram_.edges[at(edge)].left,
+                    [&](EdgeIndex its, const CellSide& side) { raisedSides_[its] = side; });
+    }
+    return raisedSides_.at(edge);
   }
 
   std::vector<Piece> followed(const CellSide& side, const Sampler& sampler, const sphere::Reach& reach) const {
@@ -428,6 +442,7 @@ class CellPolygons {
   std::vector<bool> isFollowed_;
   std::vector<std::vector<Piece>> pieces_;                             ///< of each edge at level 0, in its direction
   std::map<std::pair<std::int32_t, int>, std::vector<Piece>> raised_;  ///< of some edges at other levels
+  std::map<std::int32_t, CellSide> raisedSides_;                       ///< of these edges, and others of their cells
   std::vector<Point> points_;                                          ///< of each vertex, in degrees
 };
 
