@@ -91,7 +91,8 @@ LongDisc disc(const std::array<LongCap, 3>& caps, const Vec& start, const Long& 
   return {q, s};
 }
 
-/// By how much a change of the radii of three caps may change the radius of the disc that touches them.
+/// Returns by how much a change of the radii of three caps may change the radius of the disc that touches them, as a
+/// factor.
 double magnification(const std::array<LongCap, 3>& caps, const LongDisc& exact) {
   const Long step = 1e-20;
   Long sum = 0;
