@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest'
 import { Editing } from '../../web/editing/editing.ts'
 import { requestOf } from '../../web/editing/open-request.ts'
-import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { initialState } from '../../web/editing/state.ts'
 import type { Circle, Diagram, Edit } from '../../web/lib/index.ts'
 import type { RegionShape } from '../../web/lib/regions.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
@@ -265,7 +265,7 @@ async function started(circles = CIRCLES, domain = {}) {
   const problems: string[] = []
   const errors: (number | undefined)[] = []
   const editing = new Editing(
-    createStore(INITIAL_STATE),
+    createStore(initialState()),
     backend,
     (outcome) => errors.push(outcome.edited.fitted?.error),
     ({ message }) => problems.push(message),

@@ -4,7 +4,7 @@ export { aTurn, eventually } from './turns.ts'
 import { pageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
 import { figureActions } from '../../web/editing/figure-actions.ts'
-import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { initialState } from '../../web/editing/state.ts'
 import type { Edit } from '../../web/lib/index.ts'
 import { type Camera, NO_PADDING, type Padding, type Size } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
@@ -30,7 +30,7 @@ export function editingSession({
   readonly onproblem?: (error: Error) => void
 } = {}) {
   const computer = new LibraryBackend(before)
-  const store = createStore(INITIAL_STATE)
+  const store = createStore(initialState())
   const problems: string[] = []
   const editing = new Editing(
     store,

@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest'
 import { valueIn } from '../../web/editing/attributes.ts'
 import { Editing } from '../../web/editing/editing.ts'
 import { problemOf } from '../../web/editing/problem.ts'
-import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { initialState } from '../../web/editing/state.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { Superseded } from '../../web/view/refusal.ts'
 import { createStore } from '../../web/view/store.ts'
@@ -33,7 +33,7 @@ async function started(circles = TWO) {
     return edit(edits)
   }
   const editing = new Editing(
-    createStore(INITIAL_STATE),
+    createStore(initialState()),
     computer,
     ({ isOpened }) => {
       outcomes.push(asked.length)
@@ -97,7 +97,7 @@ describe('Editing', () => {
     const computer = new LibraryBackend(async () => {})
     const problems: unknown[] = []
     const editing = new Editing(
-      createStore(INITIAL_STATE),
+      createStore(initialState()),
       computer,
       () => {},
       (error) => problems.push(error.message),
@@ -125,7 +125,7 @@ describe('Editing', () => {
   it('forgets the oldest steps where its history takes too many bytes, and goes back through the others', async () => {
     const histories: number[] = []
     const ignore = () => {}
-    const store = createStore(INITIAL_STATE)
+    const store = createStore(initialState())
     const record = () => histories.push(store.get().history.done.length)
     const editing = new Editing(store, new LibraryBackend(async () => {}), record, ignore, 5 * 300)
     await editing.open(sceneOf(TWO))
@@ -153,7 +153,7 @@ describe('Editing', () => {
       return { ...(await edit.call(this, edits)), colors }
     }
     const editing = new Editing(
-      createStore(INITIAL_STATE),
+      createStore(initialState()),
       computer,
       () => {},
       () => expect.unreachable(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { mountLiveRegion } from '../../web/editing/live-region.ts'
-import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { initialState } from '../../web/editing/state.ts'
 import { ENGLISH_EDITING } from '../../web/editing/words.ts'
 import type { Described } from '../../web/view/protocol.ts'
 import { createStore } from '../../web/view/store.ts'
@@ -39,7 +39,7 @@ function described(id: number, neighbors: number): Described {
  * and says at once: `say A 3`, or `say A none` without a selection. Returns the numbers and capital letters of each announcement.
  */
 function announced(script: string): string[] {
-  const store = createStore(INITIAL_STATE)
+  const store = createStore(initialState())
   const texts: string[] = []
   const element = { replaceChildren: (text: string) => texts.push(text) }
   mountLiveRegion(store, element as unknown as HTMLElement, { words: ENGLISH_EDITING, called: (id) => `${id}` })

@@ -9,7 +9,7 @@ import { mount } from '../../web/view/mount.ts'
 import type { Highlights } from '../../web/view/protocol.ts'
 import { createStore } from '../../web/view/store.ts'
 import type { View } from '../../web/view/view.ts'
-import { INITIAL_VIEW } from '../../web/view/view-state.ts'
+import { initialView } from '../../web/view/view-state.ts'
 import { held } from './element-page.ts'
 import { draws } from './page-canvas.ts'
 import { make, measure } from './page-document.ts'
@@ -19,14 +19,14 @@ const CIRCLES = Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5)
 const { media } = surround()
 
 let view: View
-let store = createStore(INITIAL_VIEW)
+let store = createStore(initialView())
 let place: HTMLElement
 beforeEach(async () => {
   document.body.innerHTML = ''
   vi.stubGlobal('matchMedia', () => media)
   place = document.body.appendChild(make('div'))
   measure(place, { clientWidth: 80, clientHeight: 60, offsetWidth: 80, offsetHeight: 60 })
-  store = createStore(INITIAL_VIEW)
+  store = createStore(initialView())
   view = mount(place, store)
   view.setCamera({ x: 5, y: 4, scale: 4 })
   await view.scene.open(CIRCLES.slice())

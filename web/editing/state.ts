@@ -3,7 +3,7 @@ import type { CircleTable } from '../view/circle-table.ts'
 import { type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/scene-client.ts'
 import type { Store } from '../view/store.ts'
-import { INITIAL_VIEW, type ViewState } from '../view/view-state.ts'
+import { initialView, type ViewState } from '../view/view-state.ts'
 import { type Attributes, NO_ATTRIBUTES } from './attributes.ts'
 import { type CircleSet, EMPTY_HISTORY, type History } from './history.ts'
 
@@ -47,8 +47,8 @@ export interface Remedy {
 /** The action of a press on the figure. */
 export type Tool = 'select' | 'pan' | 'add' | 'draw'
 
-export const INITIAL_STATE: State = {
-  ...INITIAL_VIEW,
+export const initialState = (): State => ({
+  ...initialView(),
   scene: undefined,
   edited: undefined,
   history: EMPTY_HISTORY,
@@ -63,7 +63,7 @@ export const INITIAL_STATE: State = {
   tool: 'select',
   isSnapping: false,
   said: { text: '' },
-}
+})
 
 /** Shows a step of a method; `undefined` ends playback. `stage` is that of the state. */
 export function showStep(

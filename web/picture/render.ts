@@ -3,7 +3,7 @@ import { Editing } from '../editing/editing.ts'
 import { namesOf, ownColorsOf } from '../editing/identity.ts'
 import { requestOf } from '../editing/open-request.ts'
 import { cameraShowing } from '../editing/scene-link.ts'
-import { INITIAL_STATE } from '../editing/state.ts'
+import { initialState } from '../editing/state.ts'
 import { checkOptionNames, isRecord, refuseInput, refuseOption, shown } from '../lib/base/check.ts'
 import { coordinatesOf } from '../lib/base/coordinates.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
@@ -77,7 +77,7 @@ export async function renderSVG(state: LinkInput | string, options: PictureOptio
   try {
     let problem: Error | undefined
     const editing = new Editing(
-      createStore(INITIAL_STATE),
+      createStore(initialState()),
       computer,
       () => {},
       (error) => {

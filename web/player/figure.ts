@@ -7,7 +7,7 @@ import { mountLiveRegion } from '../editing/live-region.ts'
 import type { OpenRequest } from '../editing/open-request.ts'
 import { type Listening, listenToPointer } from '../editing/pointer.ts'
 import { type ProblemWords, problemOf } from '../editing/problem.ts'
-import { INITIAL_STATE, type State, showStep } from '../editing/state.ts'
+import { initialState, type State, showStep } from '../editing/state.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { Domain } from '../view/domain.ts'
@@ -67,7 +67,7 @@ export class Figure<Actions extends FigureActions = FigureActions> implements Fi
 
   constructor({ figure, around, player, said }: FigureElements, options: FigureOptions<Actions>) {
     const { load, scrolls = false, keys = {}, onoutcome, onproblem, played, onstep, words } = options
-    const store = createStore(INITIAL_STATE)
+    const store = createStore(initialState())
     const view = mount(figure, store, load)
     const confirmed = (outcome: Outcome) => {
       if (outcome.hasNewAttributes) view.setIdentities(namesOf(editing), ownColorsOf(editing))

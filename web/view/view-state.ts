@@ -19,14 +19,15 @@ export interface ViewState {
 
 export const NO_HIGHLIGHTS: Highlights = { selected: undefined, hovered: undefined }
 
-export const INITIAL_VIEW: ViewState = {
+/** The state before the first opening. It is a function, because a bundler may evaluate the layers after this module. */
+export const initialView = (): ViewState => ({
   camera: { x: 0, y: 0, scale: 1 },
   layers: DEFAULT_LAYERS,
   selection: [],
   hovered: undefined,
   highlights: NO_HIGHLIGHTS,
   found: undefined,
-}
+})
 
 /** The description of the selected circle, once it is known. */
 export function describedIn(state: ViewState): Described | undefined {

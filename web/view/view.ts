@@ -32,13 +32,15 @@ import { Screen } from './screen.ts'
 import type { Store } from './store.ts'
 import type { Style } from './style.ts'
 import { MOST_ENLARGED, TileBuffer } from './tile-buffer.ts'
-import { INITIAL_VIEW, NO_HIGHLIGHTS, selectedIn, type ViewState } from './view-state.ts'
+import { NO_HIGHLIGHTS, selectedIn, type ViewState } from './view-state.ts'
 
 /** Pause after zooming before the picture is painted sharp, in milliseconds. */
 const SHARPENING_DELAY = 80
 
 /** The parts of the state that the overlay shows. */
 const DRAWN_ABOVE = ['camera', 'layers', 'selection', 'highlights', 'found'] as const
+
+const NOTHING_MARKED = { selection: [], hovered: undefined }
 
 /** The events of a view. */
 export interface ViewEvents {
@@ -73,7 +75,7 @@ export class View {
   #requestedScale = 1
   #outlinedAt = 1
   /** The state whose highlights were requested last. */
-  #marked: Pick<ViewState, 'selection' | 'hovered'> = INITIAL_VIEW
+  #marked: Pick<ViewState, 'selection' | 'hovered'> = NOTHING_MARKED
   #disc: Touching | undefined
   /** The position of the last request for a disc. Answers for older positions are ignored. */
   #discAt: Point | undefined
@@ -126,7 +128,7 @@ export class View {
         this.#disc = undefined
         this.#selection = undefined
         if (picture === undefined) {
-          this.#marked = INITIAL_VIEW
+          this.#marked = NOTHING_MARKED
           this.#update({ highlights: NO_HIGHLIGHTS, found: undefined })
         } else {
           this.#put(picture)

@@ -4,11 +4,11 @@ import { boundingBox, fitted } from '../../../web/view/camera.ts'
 import { mount } from '../../../web/view/mount.ts'
 import { createStore } from '../../../web/view/store.ts'
 import type { View } from '../../../web/view/view.ts'
-import { INITIAL_VIEW } from '../../../web/view/view-state.ts'
+import { initialView } from '../../../web/view/view-state.ts'
 
 const circles = Float64Array.of(0, 0, 2, 10, 1, 1, 5, 8, 1.5, 2, 6, 0.8, 9, 6, 2.2, 6, 3, 0.6, 12, 10, 1)
 const by = (id: string) => document.getElementById(id) as HTMLElement
-const store = createStore(INITIAL_VIEW)
+const store = createStore(initialView())
 const view = mount(by('figure'), store)
 view.setCamera(fitted(boundingBox(circles), view.size, { top: 16, right: 16, bottom: 16, left: 16 }))
 await view.scene.open(circles)
