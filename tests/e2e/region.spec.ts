@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions and prescribed areas in the page: opened, dropped, drawn, edited, kept, saved.
 import { readFileSync } from 'node:fs'
-import type { Locator } from '@playwright/test'
+import type { Locator, Worker } from '@playwright/test'
 import type { Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadRegions } from '../../web/lib/regions.ts'
@@ -12,6 +12,7 @@ import { box } from '../web/shapes.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 import { App, expect, test } from './page.ts'
+import { THREAD } from './thread-session.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 2, 5, 1)
 const SQUARE = box(-3, -3, 9, 8)
@@ -19,7 +20,7 @@ const HOLE = box(3, 2, 4, 3)
 const PAPER = '250,248,244'
 
 const geojson = (...rings: number[][][]) => JSON.stringify({ type: 'Polygon', coordinates: rings })
-const { region } = await loadRegions()
+const { region, fitAreas } = await loadRegions()
 const TOTAL = region([SQUARE, HOLE]).area
 
 test.use({ link: await encodeLink({ circles: THREE }) })
@@ -302,6 +303,95 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   await app.canvas.focus()
   await page.keyboard.press('Control+z')
   await expect(byPeople).toHaveCount(1)
+})
+
+/** The page with equal areas, and the thread that has fitted them and waits for the next fit. */
+async function withFitter(app: App) {
+  const { page } = app
+  await app.openPanel('Region')
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  const choose = panel(app).getByLabel('Areas')
+  await choose.selectOption('equal')
+  await expect(app.status).toContainText(/areas within/)
+  await soon(async () => (await linkOf(app)).areas).toBe('equal')
+  const threads = page.workers().filter((worker) => THREAD.test(worker.url()))
+  expect(threads).toHaveLength(2)
+  const [painting, fitter] = threads as [Worker, Worker]
+  const circles = await app.circles()
+  // The radii are those of the core.
+  const { diagram } = fitAreas(THREE, [1, 1, 1], { region: region([SQUARE]), shares: true, tolerance: 1e-6 })
+  expect(circles).toEqual(Float64Array.from(diagram.circles))
+  return { page, choose, painting, fitter, circles }
+}
+
+test('while areas are fitted, the figure zooms and is painted; canceled, the fit ends alone', async ({ app }) => {
+  const { page, choose, painting, fitter, circles } = await withFitter(app)
+  // A request that is answered late blocks the thread as long as the test needs.
+  const fitting = page.waitForRequest('**/fitting')
+  await page.route('**/fitting', () => {})
+  await fitter.evaluate(() => {
+    const thread = globalThis as unknown as { onmessage(event: MessageEvent): void }
+    const hear = thread.onmessage
+    thread.onmessage = (event) => {
+      const request = new XMLHttpRequest()
+      request.open('GET', '/fitting', false)
+      request.send()
+      hear(event)
+    }
+  })
+  // The corner of the window is inside the region at first. After zooming out, the old pixels do not reach it.
+  const corner = { x: 1270, y: 790 }
+  const colorOfCorner = async () => String(await app.colors([corner]))
+  await app.canvas.focus()
+  for (let k = 0; k < 10; k++) await page.keyboard.press('+')
+  await app.painted()
+  expect(['0,0,0', PAPER]).not.toContain(await colorOfCorner())
+  const progress = page.locator('#progress')
+  await choose.selectOption('disc')
+  await fitting
+  await expect(progress).toContainText('Fitting the areas of 3 circles …')
+  await app.canvas.focus()
+  for (let k = 0; k < 20; k++) await page.keyboard.press('-')
+  await soon(colorOfCorner).toBe(PAPER)
+  await expect(progress).toBeVisible()
+  await progress.getByRole('button', { name: 'Cancel' }).click()
+  await expect(progress).toBeHidden()
+  await expect(page.locator('#toast')).toHaveText('Canceled. Nothing has changed.')
+  await soon(() => page.workers().includes(fitter)).toBe(false)
+  expect(page.workers()).toContain(painting)
+  await expect(choose).toHaveValue('equal')
+  expect([await app.circles(), await colorOfCorner()]).toEqual([circles, PAPER])
+
+  await choose.selectOption('disc')
+  await soon(async () => (await linkOf(app)).areas).toEqual([1, 1, 1])
+  await app.canvas.focus()
+  await page.keyboard.press('Control+z')
+  await soon(async () => (await linkOf(app)).areas).toBe('equal')
+  expect(await app.circles()).toEqual(circles)
+  await page.keyboard.press('Control+z')
+  await expect(choose).toHaveValue('free')
+})
+
+test('a thread that crashes while areas are fitted is told, and the next fit has another one', async ({ app }) => {
+  const { page, choose, painting, fitter, circles } = await withFitter(app)
+  await fitter.evaluate(() => {
+    globalThis.onmessage = () => {
+      throw new Error('it broke')
+    }
+  })
+  await choose.selectOption('disc')
+  await expect(page.getByRole('alert')).toContainText('it broke')
+  await expect(choose).toHaveValue('equal')
+  expect(await app.circles()).toEqual(circles)
+  await soon(() => page.workers().includes(fitter)).toBe(false)
+  expect(page.workers()).toContain(painting)
+  const { x, y } = place(app, [0, 0])
+  await page.mouse.click(x, y)
+  await expect(app.inspector.getByRole('heading')).toHaveText('Circle 0')
+  await choose.selectOption('free')
+  await soon(() => app.circles()).toEqual(THREE)
+  await choose.selectOption('equal')
+  await soon(() => app.circles()).toEqual(circles)
 })
 
 test('a region is in the table, in the storage of the browser, and in a link that somebody else opens', async ({

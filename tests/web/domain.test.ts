@@ -10,7 +10,6 @@ import { boxOf } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS, type Layers } from '../../web/view/layers.ts'
 import { answers } from '../../web/view/painter/answers.ts'
 import { Clip } from '../../web/view/painter/clip.ts'
-import { fitted, fittedEdits } from '../../web/view/painter/fitted-edits.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
@@ -24,7 +23,7 @@ import { library, seededRandom } from './library.ts'
 import { RecordingSink, windingOf } from './recording-sink.ts'
 import { box, ring } from './shapes.ts'
 
-const regions = { ...(await loadRegions()), fitted, fittedEdits }
+const regions = await loadRegions()
 
 const SQUARE: RegionShape = [box(0, 0, 8, 8)]
 const RINGS: RegionShape = [...SQUARE, ring(3, 3, 5, 3, 5, 6, 3, 5)]

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { DiagramBackend } from '../../web/editing/editing.ts'
 import type { Change, DiagramEditor } from '../../web/lib/index.ts'
+import { loadRegions } from '../../web/lib/regions.ts'
 import { CircleTable, type KeptIds, NO_CHANGE } from '../../web/view/circle-table.ts'
-import type { DomainChange } from '../../web/view/protocol.ts'
+import { fitted } from '../../web/view/painter/fitted.ts'
+import type { Computations, DomainChange } from '../../web/view/protocol.ts'
 import { library } from './library.ts'
 
 /** A backend for `Editing`: an editor of the library. Each request waits for `before`. */
@@ -25,6 +27,11 @@ export class LibraryBackend implements DiagramBackend {
   async edit(edits: Parameters<DiagramBackend['edit']>[0]) {
     await this.#before()
     return this.#edited(this.editor.apply(edits))
+  }
+
+  async ask(_: 'fit', args: Parameters<Computations['fit']>) {
+    await this.#before()
+    return fitted(await loadRegions(), ...args)
   }
 
   #edited(change: Pick<Change, keyof typeof NO_CHANGE> = NO_CHANGE) {

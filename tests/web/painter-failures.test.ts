@@ -38,11 +38,12 @@ const circle = fc.record({
 })
 const id = fc.nat(9)
 const edit = editOf(circle)
+const TWO = Float64Array.of(0, 0, 1, 9, 0, 1)
 /** Wrong requests that make the thread throw a `TypeError`. */
 const NOTHING = undefined as never
 const BIG = 1n as never
 const WRONG = {
-  open: (one: SceneClient) => one.open(NOTHING),
+  open: (one: SceneClient) => one.open(TWO, null as never),
   // The thread has the other circles before the error.
   reopen: (one: SceneClient) => one.open(Float64Array.of(7, 7, 1), { colors: null as never }),
   // The editor makes the edit before the error.
@@ -50,6 +51,7 @@ const WRONG = {
   room: (one: SceneClient) => one.ask('room', [BIG, BIG]),
   touch: (one: SceneClient) => one.ask('touch', [BIG, BIG, 0]),
   try: (one: SceneClient) => one.ask('try', [NOTHING]),
+  fit: (one: SceneClient) => one.ask('fit', [TWO, NOTHING, [REGION]]),
   tabulate: (one: SceneClient) => one.ask('tabulate', [NOTHING, undefined]),
   tell: (one: SceneClient) => one.ask('tell', [NOTHING]),
 }
@@ -72,6 +74,8 @@ const QUESTIONS = {
   measure: (one: SceneClient) => one.ask('measure', []),
   tabulate: (one: SceneClient) => one.ask('tabulate', [['area'], undefined]),
   svg: (one: SceneClient) => one.ask('svg', [FRAME, STYLE, []]),
+  fit: (one: SceneClient) => one.ask('fit', [TWO, [1, 2], [REGION]]),
+  canceled: (one: SceneClient) => one.ask('fit', [TWO, [1, 2], [REGION]], AbortSignal.timeout(1)),
 }
 const scene = fc.nat(1)
 const action = fc.oneof(
@@ -181,7 +185,8 @@ async function play(script: readonly Action[]): Promise<void> {
     }
     const isTold = (failure: unknown) => failure instanceof Failure || failure instanceof CircleVoronoiError
     expect(failures.every(isTold)).toBe(true)
-    expect(ThreadHere.running.size).toBe(1)
+    // One thread waits for further fits.
+    expect(ThreadHere.running.size).toBeLessThanOrEqual(2)
     for (const [k, one] of scenes.entries()) {
       const { circles } = one
       const fresh = painter.add(listener(failures))
@@ -222,7 +227,6 @@ class CrashingThread extends ThreadHere {
   }
 }
 const layers = LAYERS.hull
-const TWO = Float64Array.of(0, 0, 1, 9, 0, 1)
 
 describe('an error in a request', () => {
   const requests = {
@@ -250,7 +254,7 @@ describe('an error in a request', () => {
       expect([...inserted]).toEqual([2])
       expect((await scene.ask('tell', [[2]]))?.cells.get(2)).toMatchObject({ x: 4, y: 7, r: 1 })
     }
-    expect(started).toBe(name === 'trace' ? 2 : 1)
+    expect(started).toBe(['fit', 'trace'].includes(name) ? 2 : 1)
     painter.dispose()
     vi.stubGlobal('Worker', ThreadHere)
   })
@@ -420,23 +424,29 @@ it('the highlights of a scene that is closed are not told any more', async () =>
 })
 
 describe('a computation', () => {
-  it.each(['compute', 'trace'] as const)('%s whose thread crashes or cannot start says so', async (name) => {
+  const computations = {
+    compute: (one: SceneClient) => one.ask('compute', [{}]),
+    trace: (one: SceneClient) => one.ask('trace', [{}]),
+    fit: QUESTIONS.fit,
+  }
+  it.each(['compute', 'trace', 'fit'] as const)('%s whose thread crashes or cannot start says so', async (name) => {
+    const ask = computations[name]
     vi.stubGlobal('Worker', CrashingThread)
     crashesAt = name as never
     const failures: unknown[] = []
     const painter = new Painter()
     const scene = painter.add(listener(failures))
     await scene.open(TWO)
-    expect(await scene.ask(name, [{}])).toBeUndefined()
+    expect(await ask(scene)).toBeUndefined()
     expect(failures).toEqual([expect.any(Failure)])
     vi.stubGlobal('Worker', () => {})
-    expect(await scene.ask(name, [{}])).toBeUndefined()
+    expect(await ask(scene)).toBeUndefined()
     expect(failures).toEqual([expect.any(Failure), expect.any(Failure)])
     vi.stubGlobal('Worker', ThreadHere)
-    expect(await scene.ask(name, [{}])).toBeDefined()
-    expect(ThreadHere.running.size).toBe(1)
+    expect(await ask(scene)).toBeDefined()
+    expect(ThreadHere.running.size).toBe(name === 'fit' ? 2 : 1)
     // The view that ends its own computation needs no reason.
-    const closed = scene.ask(name, [{}])
+    const closed = ask(scene)
     painter.dispose()
     expect(await closed).toBeUndefined()
     expect([failures.length, ThreadHere.running.size]).toEqual([2, 0])

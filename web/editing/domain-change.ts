@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Converts areas between the order of the circles and ids, and makes the message to the backend about a changed domain.
-import type { Edit } from '../lib/index.ts'
-import type { CircleTable, KeptIds } from '../view/circle-table.ts'
+import type { CircleTable } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
-import type { DomainChange, Shares } from '../view/protocol.ts'
+import type { DomainChange } from '../view/protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../view/refusal.ts'
 
 /** The areas of a domain in the order of the circles. Circles without one get the mean. */
@@ -20,7 +19,7 @@ export function areasInOrder({ areas }: Domain, circles: CircleTable): Areas | u
  * @throws Refusal if there is not one area for each circle
  */
 export function areasById(areas: Areas | undefined, circles: CircleTable): Pick<Domain, 'areas'> | undefined {
-  const list = listIn(areas, circles.count)
+  const list = areasFor(circles.count, areas)
   if (list === undefined) return undefined
   const byId: number[] = []
   circles.ids().forEach((id, k) => {
@@ -30,47 +29,27 @@ export function areasById(areas: Areas | undefined, circles: CircleTable): Pick<
 }
 
 /**
- * The change of domain for the backend. It contains the region and the periods only if they differ, and shares only if
- * there are areas.
+ * The change of domain for the backend. It contains the region and the periods only if they differ.
+ * @throws Refusal if there is a region as well as periods
  */
-export function domainChange(
-  before: Domain,
-  domain: Domain,
-  shares: () => Shares,
-  colors?: string,
-): DomainChange | undefined {
+export function domainChange(before: Domain, domain: Domain, colors?: string): DomainChange | undefined {
   const { region, lattice, areas } = domain
   if (domain === NO_DOMAIN && before === NO_DOMAIN) return colors === undefined ? undefined : { colors }
+  if (region !== undefined && lattice !== undefined)
+    throw new Refusal(ENGLISH_REFUSALS, (words) => words.latticeWithRegion)
   return {
     region: region === before.region ? undefined : (region ?? null),
     lattice: lattice === before.lattice ? undefined : (lattice ?? null),
     areSites: areas !== undefined,
-    fit: areas && shares(),
     colors,
   }
 }
 
 /**
- * The shares of circles to open, whose areas are in their order.
+ * The areas of circles in their order, if they are a list.
  * @throws Refusal if there is not one area for each circle
  */
-export function sharesInOrder({ areas }: Domain, count: number, kept: KeptIds | undefined): Shares {
-  const list = listIn(areas, count)
-  return { known: list && new Map(list.map((share, k) => [kept?.ids[k] ?? k, share])), inserted: [] }
-}
-
-/** The shares of the current circles and of the circles that edits insert. The areas are by id. */
-export function sharesOf({ areas }: Domain, circles: CircleTable, edits: readonly Edit[]): Shares {
-  if (areas === undefined || areas === 'equal') return { known: undefined, inserted: [] }
-  const shareOf = (id: number | undefined) => (id === undefined ? undefined : areas[id]) ?? Number.NaN
-  return {
-    known: new Map(Array.from(circles.ids(), (id) => [id, shareOf(id)])),
-    inserted: edits.flatMap((edit) => (edit.kind === 'insert' ? [shareOf(edit.id)] : [])),
-  }
-}
-
-/** @throws Refusal if the length of a list is not the number of circles */
-function listIn(areas: Areas | undefined, circles: number): readonly number[] | undefined {
+export function areasFor(circles: number, areas: Areas | undefined): readonly number[] | undefined {
   if (areas === undefined || areas === 'equal') return undefined
   const { length } = areas
   if (length !== circles) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasForCircles(length, circles))

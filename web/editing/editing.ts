@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle, Edit } from '../lib/index.ts'
+import type { Circle, Edit, Float64s } from '../lib/index.ts'
 import type { CircleTable, KeptIds } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
-import type { DomainChange } from '../view/protocol.ts'
-import { Superseded } from '../view/refusal.ts'
+import type { Computations, DomainChange, Fit } from '../view/protocol.ts'
+import { ENGLISH_REFUSALS, Refusal, Superseded } from '../view/refusal.ts'
 import type { Edited } from '../view/scene-client.ts'
 import type { Store } from '../view/store.ts'
 import type { IdentifiedCircle } from './arranging.ts'
 import { type Attributes, NO_ATTRIBUTES, withValues } from './attributes.ts'
-import { areasById, areasInOrder, domainChange, sharesInOrder, sharesOf } from './domain-change.ts'
+import { areasById, areasFor, areasInOrder, domainChange } from './domain-change.ts'
+import { fittingAfter } from './fitting.ts'
 import { type CircleSet, EMPTY_HISTORY, type History, limited, MOST_BYTES, type Opening, record } from './history.ts'
 import { PackedSteps } from './packed-steps.ts'
 import { type State, stateAfter } from './state.ts'
+
+/** More circles would take too long to fit. */
+const MOST_FITTED = 10_000
 
 /** The backend that computes diagrams: the scene of a view. */
 export interface DiagramBackend {
@@ -19,6 +23,8 @@ export interface DiagramBackend {
   readonly circles: CircleTable
   open(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited>
   edit(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
+  /** Fits circles to areas. Resolves to `undefined` if the signal canceled it, or after a failure, which is told. */
+  ask(name: 'fit', args: Parameters<Computations['fit']>, signal: AbortSignal): Promise<Fit | undefined>
 }
 
 /** The result of a request. The rest is in the state. */
@@ -41,6 +47,9 @@ interface Confirmed {
   readonly edited: Edited
   readonly change: Pick<State, 'history'> & Partial<Pick<State, 'scene' | 'colors' | 'domain' | 'attributes'>>
 }
+
+/** Circles with their radii for a domain. Without circles or areas, nothing was fitted. */
+type MaybeFit = Pick<Fit, 'circles'> & Partial<Fit>
 
 /** A request, running or pending. */
 interface Job {
@@ -71,6 +80,8 @@ export class Editing {
   #lastFormer = 0
   /** The number of openings, except by undo and redo. */
   #openings = 0
+  /** Cancels the fit that is running. */
+  #fitting: AbortController | undefined
 
   /** `mostBytes` limits the memory of the history. */
   constructor(
@@ -165,13 +176,15 @@ export class Editing {
 
   /**
    * Replaces the circles, then applies edits, before any pending request. Undo restores the former circles. Resolves to
-   * `undefined` if the circles were refused.
+   * `undefined` if the circles were refused. Cancels a fit of the former circles.
    */
   async open(scene: CircleSet, edits: readonly Edit[] = []): Promise<Edited | undefined> {
+    this.cancelFit()
     let isOpened = false
     const opened = this.#ask(async () => {
       const done = [...this.#state.history.done, ...this.#before()]
       const opened = await this.#replaceScene(scene, { done, undone: [] }, edits.length === 0)
+      if (opened === undefined) return undefined
       this.#openings += 1
       isOpened = true
       return opened
@@ -208,15 +221,47 @@ export class Editing {
     change?: Partial<Domain>,
     attributes?: Attributes,
     colors?: string,
-  ): Promise<Confirmed> {
+  ): Promise<Confirmed | undefined> {
     const before = this.#state
     const domain =
       change === undefined ? before.domain : { ...before.domain, ...change, ...areasById(change.areas, this.circles) }
-    const shares = () => sharesOf(domain, this.circles, edits)
-    const edited = await this.#backend.edit(edits, domainChange(before.domain, domain, shares, colors))
+    const edited = await this.#applyIn(domain, edits, colors)
+    if (edited === undefined) return undefined
     const former = { domain: change && before.domain, attributes: attributes && before.attributes }
     const history = record(before.history, edited.back, gesture, former)
     return { edited, change: { history, domain, attributes: attributes ?? before.attributes } }
+  }
+
+  /** Applies edits, after which cells have the areas of the domain. Resolves to `undefined` if a fit was canceled. */
+  async #applyIn(domain: Domain, edits: readonly Edit[], colors?: string): Promise<Edited | undefined> {
+    const change = domainChange(this.domain, domain, colors)
+    if (domain.areas === undefined) return this.#backend.edit(edits, change)
+    const { circles, shares, withRadii } = fittingAfter(edits, this.circles, domain.areas)
+    const fit = await this.#fit(domain, circles, shares)
+    return fit && fittedIn(await this.#backend.edit(withRadii(fit.circles), change), fit)
+  }
+
+  /**
+   * Fits circles to shares of a domain's region. Resolves to `undefined` if the fit was canceled or failed.
+   * @throws CircleVoronoiError as `region` and `fitAreas`; Refusal if there is no region or too many circles
+   */
+  async #fit({ region }: Domain, circles: Float64s, shares: readonly number[]): Promise<MaybeFit | undefined> {
+    if (region === undefined) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasWithoutRegion)
+    if (shares.length === 0) return { circles }
+    if (shares.length > MOST_FITTED) throw new Refusal(ENGLISH_REFUSALS, (words) => words.tooManyForAreas(MOST_FITTED))
+    this.#fitting = new AbortController()
+    try {
+      return await this.#backend.ask('fit', [circles, shares, region], this.#fitting.signal)
+    } finally {
+      this.#fitting = undefined
+    }
+  }
+
+  /** Cancels the fit that is running. Its edit or opening has no effect. Returns false if none is running. */
+  cancelFit(): boolean {
+    const isFitting = this.#fitting !== undefined
+    this.#fitting?.abort()
+    return isFitting
   }
 
   undo(): Promise<Edited | undefined> {
@@ -256,8 +301,8 @@ export class Editing {
     if (entry.kind === 'opening') return this.#replaceScene(entry.scene, historyWith(this.#before()))
     const { domain = before.domain, attributes = before.attributes } = entry
     const steps = entry.steps.unpacked()
-    const change = domainChange(before.domain, domain, () => sharesOf(domain, this.circles, steps))
-    const edited = await this.#backend.edit(steps, change)
+    const edited = await this.#applyIn(domain, steps)
+    if (edited === undefined) return undefined
     const back = {
       ...entry,
       steps: PackedSteps.of(edited.back),
@@ -268,11 +313,15 @@ export class Editing {
   }
 
   /** `areAll`: no edits follow, so the scene's colors apply to its circles. */
-  async #replaceScene(scene: CircleSet, history: History, areAll = true): Promise<Confirmed> {
+  async #replaceScene(scene: CircleSet, history: History, areAll = true): Promise<Confirmed | undefined> {
     const { circles, kept, domain = NO_DOMAIN, attributes = NO_ATTRIBUTES } = scene
-    const shares = sharesInOrder(domain, circles.length / 3, kept)
-    const change = domainChange(this.domain, domain, () => shares, areAll ? scene.colors : undefined)
-    const edited = await this.#backend.open(circles, change, kept)
+    const count = circles.length / 3
+    const shares = areasFor(count, domain.areas)
+    const change = domainChange(this.domain, domain, areAll ? scene.colors : undefined)
+    const isFitted = domain.areas !== undefined && count > 0
+    const fit = isFitted ? await this.#fit(domain, circles, shares ?? Array<number>(count).fill(1)) : { circles }
+    if (fit === undefined) return undefined
+    const edited = fittedIn(await this.#backend.open(fit.circles, change, kept), fit)
     this.#lastFormer = this.#lastGesture
     const areas = areasById(domain.areas, this.circles)
     const byId = areas === undefined ? domain : { ...domain, ...areas }
@@ -349,6 +398,11 @@ export class Editing {
       this.#jobs.shift()
     }
   }
+}
+
+/** Adds the accuracy and the time of a fit to the result of its edit. */
+function fittedIn(edited: Edited, { fitted, seconds = 0 }: MaybeFit): Edited {
+  return { ...edited, fitted, seconds: seconds + edited.seconds }
 }
 
 /** Edits of one gesture that move the same circles share a key; other edits have none. */

@@ -138,10 +138,10 @@ export class OpeningActions {
     }
   }
 
-  /** Cancels the current opening; the circles stay. */
+  /** Cancels the current opening or fit; the circles stay. */
   cancelOpening(): void {
     // Drops circles that are still loading.
-    if (!this.#figure.view.scene.cancel()) {
+    if (!this.#figure.editing.cancelFit() && !this.#figure.view.scene.cancel()) {
       this.#lastLoad += 1
       this.#stopLoading()
       this.onstage('refused', 0)

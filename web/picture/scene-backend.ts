@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { DiagramBackend } from '../editing/editing.ts'
+import { loadedOnce } from '../lib/base/loaded-once.ts'
 import type { Edit } from '../lib/index.ts'
 import { loadRegions } from '../lib/regions.ts'
 import type { CircleVoronoi } from '../lib/wasm/library.ts'
 import { CircleTable, type KeptIds, NO_CHANGE } from '../view/circle-table.ts'
+import { fitted } from '../view/painter/fitted.ts'
 import { PaintedScene } from '../view/painter/painted-scene.ts'
-import type { DomainChange, Fitted } from '../view/protocol.ts'
+import type { Computations, DomainChange } from '../view/protocol.ts'
 import type { Edited } from '../view/scene-client.ts'
 
 /** A backend that computes the diagram of a view in the calling thread, in place of a page's worker. */
 export class SceneBackend implements DiagramBackend {
   readonly scene: PaintedScene
   circles = new CircleTable(new Float64Array())
-  /** One module for all edits, because regions of another one are refused. */
-  #regions: ReturnType<typeof loadRegions> | undefined
+  readonly #regions = loadedOnce(() => loadRegions())
 
   constructor(library: CircleVoronoi) {
     this.scene = new PaintedScene(library)
@@ -22,22 +23,24 @@ export class SceneBackend implements DiagramBackend {
   async open(circles: Float64Array, change?: DomainChange, kept?: KeptIds): Promise<Edited> {
     const opened = this.scene.open(circles, change, await this.#regionsFor(change), kept)
     this.circles = new CircleTable(Float64Array.from(opened.circles ?? circles), 0, kept)
-    return this.#edited(NO_CHANGE, opened.fitted, opened.colors)
+    return this.#edited(NO_CHANGE, opened.colors)
   }
 
   async edit(edits: readonly Edit[], domain?: DomainChange): Promise<Edited> {
-    const { change, fitted, colors } = this.scene.edit(edits, domain, await this.#regionsFor(domain))
-    return this.#edited(change, fitted, colors)
+    const { change, colors } = this.scene.edit(edits, domain, await this.#regionsFor(domain))
+    return this.#edited(change, colors)
   }
 
-  #edited(change: typeof NO_CHANGE, fitted: Fitted | undefined, colors: string | undefined): Edited {
+  async ask(_: 'fit', args: Parameters<Computations['fit']>) {
+    return fitted(await this.#regions(), ...args)
+  }
+
+  #edited(change: typeof NO_CHANGE, colors: string | undefined): Edited {
     const back = this.circles.follow(change)
-    return { counts: this.scene.counts(), inserted: change.inserted, back, fitted, colors, seconds: 0 }
+    return { counts: this.scene.counts(), inserted: change.inserted, back, colors, seconds: 0 }
   }
 
-  async #regionsFor({ region, fit }: DomainChange = {}) {
-    if ((region ?? undefined) === undefined && fit === undefined) return undefined
-    this.#regions ??= loadRegions()
-    return this.#regions
+  async #regionsFor({ region }: DomainChange = {}) {
+    return (region ?? undefined) && this.#regions()
   }
 }

@@ -30,6 +30,8 @@ export class Painter {
   readonly #modules: () => Promise<[CompiledWasm, OtherModules]>
   readonly #scenes = new Map<number, SceneClient>()
   #channel: Channel<PainterRequests, PainterEvents> | undefined
+  /** A thread that has fitted areas and waits for the next fit, because a drag makes many short ones. */
+  #fitter: Channel<ComputingRequests> | undefined
   /** Whether the thread has painted a picture or answered a view. */
   #hasWorked = false
   /** Whether the thread continues after a crash. */
@@ -48,14 +50,16 @@ export class Painter {
       this.#tryToStart(false)
     },
     compute: async (name, args, signal) => {
-      const fail = (reason: Reason) => channel.end(failureFor(reason))
-      const channel = this.#open<ComputingRequests, object>(fail, {})
+      const channel = (name === 'fit' && this.#takeFitter()) || this.#openComputing()
       const end = () => channel.end(signal.reason)
       signal.addEventListener('abort', end)
       try {
-        return await channel.request(name, args)
+        const answer = await channel.request(name, args)
+        if (name === 'fit' && !channel.isEnded) this.#fitter ??= channel
+        return answer
       } finally {
-        end()
+        signal.removeEventListener('abort', end)
+        if (channel !== this.#fitter) end()
       }
     },
     worked: () => {
@@ -81,6 +85,7 @@ export class Painter {
   dispose(): void {
     this.#isDisposed = true
     this.#end(failureFor(isDisposedOf))
+    this.#fitter?.end(failureFor(isDisposedOf))
     for (const scene of this.#scenes.values()) scene.close()
   }
 
@@ -105,6 +110,18 @@ export class Painter {
     this.#isRestarted = isRestarted
     for (const scene of this.#scenes.values()) scene.restore()
     return channel
+  }
+
+  /** Opens a channel to a new thread for computations. @throws Failure */
+  #openComputing(): Channel<ComputingRequests> {
+    const channel = this.#open<ComputingRequests, object>((reason) => channel.end(failureFor(reason)), {})
+    return channel
+  }
+
+  #takeFitter(): Channel<ComputingRequests> | undefined {
+    const fitter = this.#fitter
+    this.#fitter = undefined
+    return fitter?.isEnded ? undefined : fitter
   }
 
   /**

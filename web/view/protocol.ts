@@ -69,20 +69,10 @@ export interface DomainChange {
   readonly region?: RegionShape | null | undefined
   /** The new periods; `null` removes them, `undefined` keeps them. */
   readonly lattice?: Lattice | null | undefined
-  /** Fits radii so that each cell has its share of the region. */
-  readonly fit?: Shares | undefined
   /** Whether circles are drawn as points, because their radii are only weights. */
   readonly areSites?: boolean | undefined
   /** The colors of the circles afterwards, by ascending id (`Coloring`); `undefined` keeps those that are known. */
   readonly colors?: string | undefined
-}
-
-/** Shares of a region, as numbers above 0; `undefined` makes all equal. */
-export interface Shares {
-  /** The shares of existing circles, by id. All others get the mean. */
-  readonly known: ReadonlyMap<number, number> | undefined
-  /** The shares of inserted circles, in their order. */
-  readonly inserted: readonly number[]
 }
 
 /**
@@ -111,6 +101,8 @@ export interface Questions {
 
 /** The long computations with a view's circles, which run in threads of their own. */
 export interface Computations {
+  /** Fits the radii of circles so that each cell has its share of a region. In `shares`, NaN stands for the mean. */
+  fit(circles: Float64Array, shares: readonly number[], region: RegionShape): Fit
   /** Recomputes everything from scratch for statistics. */
   compute(options: Options): Computed
   /** The events of a method. */
@@ -155,7 +147,7 @@ type SceneQuestions = {
 }
 
 /** The functions of a computing thread. */
-export interface ComputingRequests extends ThreadRequests {
+export interface ComputingRequests extends ThreadRequests, Pick<Computations, 'fit'> {
   /** Computes the diagram of the circles, and of their images if they repeat. */
   compute(circles: Float64Array, lattice: Lattice | undefined, options: Options): Computed
   /** Traces a method in the plane, without images. The circles are in ascending order of their ids. */
@@ -172,9 +164,8 @@ export interface Patch {
 export interface Opened {
   readonly counts: DiagramCounts
   readonly seconds: number
-  /** The circles with fitted radii. */
+  /** The circles if they have changed, because they repeat. */
   readonly circles: Float64s | undefined
-  readonly fitted: Fitted | undefined
   readonly colors: string | undefined
 }
 
@@ -220,6 +211,14 @@ export interface Fitted {
   /** The largest relative error of an area. */
   readonly error: number
   readonly steps: number
+}
+
+/** The circles with fitted radii. */
+export interface Fit {
+  readonly circles: Float64s
+  readonly fitted: Fitted
+  /** The computing time. */
+  readonly seconds: number
 }
 
 /** The description of a circle and its cell. */

@@ -30,7 +30,7 @@ export interface Edited {
   readonly inserted: Int32Array
   /** The edits that undo the change. */
   readonly back: readonly Edit[]
-  /** The accuracy of fitted areas; `undefined` if no areas were prescribed. */
+  /** The accuracy of fitted areas (`Editing`); `undefined` if no areas were prescribed. */
   readonly fitted?: Fitted | undefined
   /** The colors that tell circles from their neighbors, by ascending id, if they have changed (`Coloring`). */
   readonly colors?: string | undefined
@@ -97,10 +97,9 @@ export class SceneClient {
   /** Aborted when the scene is closed. */
   readonly #closing = new AbortController()
   #lastOpening = 0
-  /** The number of openings and fits that are running. */
-  #longChanges = 0
+  /** The number of openings that are running. */
+  #openings = 0
   #circles = new CircleTable(new Float64Array())
-  /** `fit` is left out, because the circles already have their fitted radii. */
   #domain: DomainChange = {}
 
   constructor(scene: number, events: PictureEvents, threads: SceneThreads) {
@@ -130,39 +129,40 @@ export class SceneClient {
 
   /**
    * Replaces the circles. Without `kept`, circle i gets id i.
-   * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; the scene stays unchanged
+   * @throws CircleVoronoiError as `compute` and `region`; the scene stays unchanged
    */
   async open(circles: Float64Array, change: DomainChange = {}, kept?: KeptIds): Promise<Edited> {
     this.#lastOpening += 1
     const opening = this.#lastOpening
-    const answer = this.#change('open', [this.#scene, opening, circles, kept, change], true)
+    const answer = this.#change('open', [this.#scene, opening, circles, kept, change])
     this.events.opening()
-    const opened = await answer
+    this.#openings += 1
+    const opened = await answer.finally(() => {
+      this.#openings -= 1
+    })
     this.#circles = new CircleTable(opened.circles ?? circles.slice(), opening, kept)
     return this.#confirm(opened, NO_CHANGE, change, undefined)
   }
 
   /**
    * Applies all edits or none to the current circles.
-   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; Superseded if other circles are
-   * opened before the edits run. The scene stays unchanged
+   * @throws CircleVoronoiError as `DiagramEditor.apply` and `region`; Superseded if other circles are opened before the
+   * edits run. The scene stays unchanged
    */
   async edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
     const args: Args<'edit'> = [this.#scene, this.#circles.opening, edits, change]
-    const edited = await this.#change('edit', args, change.fit !== undefined)
+    const edited = await this.#change('edit', args)
     if (edited === undefined) throw new Superseded()
     return this.#confirm(edited, edited.change, change, edited)
   }
 
-  /** Sends a change of the circles. `isLong`: it can be canceled. */
+  /** Sends a change of the circles. */
   async #change<Name extends 'open' | 'edit'>(
     name: Name,
     args: Args<Name>,
-    isLong: boolean,
   ): Promise<ReturnType<PainterRequests[Name]>> {
     if (this.#isClosed) throw failureFor(isDisposedOf)
     const channel = this.#threads.begin()
-    this.#longChanges += Number(isLong)
     try {
       return await channel.request(name, args, { signal: this.#closing.signal })
     } catch (error) {
@@ -170,14 +170,12 @@ export class SceneClient {
       // The thread may have other circles than the confirmed ones.
       if (isUnexpected(error)) this.#reopen()
       throw asFailure(error)
-    } finally {
-      this.#longChanges -= Number(isLong)
     }
   }
 
   /** Follows a change of the circles, and tells it. */
   #confirm(
-    { counts, fitted, seconds, colors }: Omit<Opened, 'circles'>,
+    { counts, seconds, colors }: Omit<Opened, 'circles'>,
     changed: CircleChange,
     { region = this.#domain.region, lattice = this.#domain.lattice, areSites = this.#domain.areSites }: DomainChange,
     picture: EditedPicture | undefined,
@@ -185,14 +183,14 @@ export class SceneClient {
     this.#domain = { region, lattice, areSites, colors: colors ?? this.#domain.colors }
     const back = this.#circles.follow(changed)
     this.#threads.worked()
-    const edited = { counts, fitted, seconds, colors, inserted: changed.inserted, back }
+    const edited = { counts, seconds, colors, inserted: changed.inserted, back }
     this.events.changed(edited, picture)
     return edited
   }
 
   /** Cancels an opening by replacing the thread that computes it. Returns false if no opening is running. */
   cancel(): boolean {
-    const isOpening = this.#longChanges > 0
+    const isOpening = this.#openings > 0
     if (isOpening) this.#threads.restart()
     return isOpening
   }
@@ -225,6 +223,7 @@ export class SceneClient {
 
   async #answerTo(name: keyof Asked, args: readonly unknown[], signal: AbortSignal): Promise<unknown> {
     if (isComputation(name)) {
+      if (name === 'fit') return this.#threads.compute(name, args as Parameters<Asked[typeof name]>, signal)
       // Starting a thread only for the refusal would copy all circles.
       if (name === 'trace') checkPlayed(this.#circles.count)
       const [options] = args as Parameters<Asked[typeof name]>
@@ -298,7 +297,7 @@ export class SceneClient {
 }
 
 function isComputation(name: keyof Asked): name is keyof Computations {
-  return name === 'compute' || name === 'trace'
+  return name === 'compute' || name === 'trace' || name === 'fit'
 }
 
 /** Whether an error is a fault of the program and not of its input. */

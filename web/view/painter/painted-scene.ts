@@ -16,15 +16,13 @@ import {
   type PaintedLayers,
   repeatingLayers,
 } from '../layers.ts'
-import type { Described, DomainChange, DrawnSvg, Fitted, GlobalResults, Highlights, Patch } from '../protocol.ts'
-import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
+import type { Described, DomainChange, DrawnSvg, GlobalResults, Highlights, Patch } from '../protocol.ts'
 import type { Style } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 import { Centers } from './centers.ts'
 import { Clip } from './clip.ts'
 import { commandsOf } from './commands.ts'
 import type { Drawing } from './drawing.ts'
-import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
 import { found } from './found.ts'
 import { boundsOf, type Frame, toleranceOf } from './frame.ts'
 import { frameOf } from './grid.ts'
@@ -47,10 +45,9 @@ const QUICK_POWER = 0.01
 /** With more neighbors than this, only the circle's own cell is highlighted. */
 const MOST_NEIGHBORS = 500
 
-/** The circles with fitted radii, the accuracy of their areas if areas were prescribed, and their colors. */
+/** The circles if they have changed, because they repeat, and their colors. */
 interface OpenResult {
   readonly circles: Float64s | undefined
-  readonly fitted: Fitted | undefined
   readonly colors: string | undefined
   /** The computing time. */
   readonly seconds: number
@@ -86,19 +83,14 @@ export class PaintedScene {
   }
 
   /**
-   * Replaces the circles. Without `kept`, circle i gets id i. `regions` is required for a region or a fit.
-   * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; the scene stays unchanged
+   * Replaces the circles. Without `kept`, circle i gets id i. `regions` is required for a region.
+   * @throws CircleVoronoiError as `edit` of the library and `region`; the scene stays unchanged
    */
   open(circles: Float64Array, change: DomainChange = {}, regions?: Regions, kept?: KeptIds): OpenResult {
     const clip = this.#clipOf(change, regions)
-    const torus = this.#torusOf(change, clip)
-    const shares = Array.from(
-      { length: circles.length / 3 },
-      (_, i) => change.fit?.known?.get(kept?.ids[i] ?? i) ?? Number.NaN,
-    )
+    const torus = this.#torusOf(change)
     const start = performance.now()
-    const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
-    const opened = fit?.diagram.circles ?? torus?.wrappedCircles(circles) ?? circles
+    const opened = torus?.wrappedCircles(circles) ?? circles
     const editor = this.library.edit(opened, kept)
     const seconds = secondsSince(start)
     const picture = new Picture(editor, clip, torus)
@@ -117,7 +109,6 @@ export class PaintedScene {
     return {
       colors: picture.newColors(),
       circles: opened === circles ? undefined : opened.slice(),
-      fitted: fit && { error: fit.error, steps: fit.steps },
       seconds,
     }
   }
@@ -129,18 +120,9 @@ export class PaintedScene {
   }
 
   /** The box of repeating circles after a change. */
-  #torusOf({ lattice }: DomainChange, clip: Clip | undefined): Torus | undefined {
-    const torus =
-      lattice === undefined ? this.picture.torus : lattice === null ? undefined : new Torus(this.library, lattice)
-    if (torus !== undefined && clip !== undefined)
-      throw new Refusal(ENGLISH_REFUSALS, (words) => words.latticeWithRegion)
-    return torus
-  }
-
-  /** @throws Refusal if there is no region */
-  #fitting(clip: Clip | undefined, regions: Regions | undefined): Fitting {
-    if (clip === undefined) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasWithoutRegion)
-    return { region: clip.region, fitAreas: (regions as Regions).fitAreas }
+  #torusOf({ lattice }: DomainChange): Torus | undefined {
+    if (lattice === undefined) return this.picture.torus
+    return lattice === null ? undefined : new Torus(this.library, lattice)
   }
 
   dispose(): void {
@@ -278,10 +260,10 @@ export class PaintedScene {
 
   /**
    * Edits the circles, and repaints the affected tiles. `regions` is as in `open`.
-   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; the scene stays unchanged
+   * @throws CircleVoronoiError as `DiagramEditor.apply` and `region`; the scene stays unchanged
    */
   edit(
-    asked: readonly Edit[],
+    edits: readonly Edit[],
     domain: DomainChange = {},
     regions?: Regions,
   ): {
@@ -289,18 +271,13 @@ export class PaintedScene {
     boxes: readonly Box[]
     change: CircleChange
     found: GlobalResults | undefined
-    fitted: Fitted | undefined
     colors: string | undefined
     seconds: number
   } {
     const clip = this.#clipOf(domain, regions)
-    const torus = this.#torusOf(domain, clip)
+    const torus = this.#torusOf(domain)
     const start = performance.now()
-    const { edits, fit } =
-      domain.fit === undefined
-        ? { edits: this.#wrapped(asked, torus), fit: undefined }
-        : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
-    const change = this.picture.editor.apply(edits)
+    const change = this.picture.editor.apply(this.#wrapped(edits, torus))
     const seconds = secondsSince(start)
     const { areSites = this.picture.areSites, colors } = domain
     const isRepeatedOtherwise = torus !== this.picture.torus
@@ -321,7 +298,6 @@ export class PaintedScene {
       boxes,
       change: { inserted, removed, replaced, circles },
       colors: this.picture.newColors(),
-      fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
       seconds,
     }

@@ -6,6 +6,7 @@ import { type CircleVoronoi, circleVoronoiOf } from '../../lib/wasm/library.ts'
 import type { OtherModules } from '../load.ts'
 import type { ComputingRequests, PainterEvents, PainterRequests } from '../protocol.ts'
 import { answers } from './answers.ts'
+import { fitted } from './fitted.ts'
 import { metricsFor, regionsFrom } from './other-modules.ts'
 import { SceneAnswers, type SceneThread } from './scene-answers.ts'
 import { Scheduler, type Steps } from './scheduler.ts'
@@ -27,7 +28,10 @@ export function answerViews(): void {
   })
   let others: OtherModules = {}
   const metrics = loadedOnce(async () => metricsFor(await library, others))
-  const regions = loadedOnce(() => regionsFrom(others))
+  const regions = loadedOnce(async () => {
+    await library
+    return regionsFrom(others)
+  })
   const scheduler = new Scheduler((end) => {
     let isLeft = false
     // A scene may be waiting after another one has used the time.
@@ -80,6 +84,7 @@ export function answerViews(): void {
       }),
     ...(Object.fromEntries(answersByName) as Pick<Answers<PainterRequests>, SceneRequest>),
     compute: async (args) => computed(await library, ...args),
+    fit: async (args) => fitted(await regions(), ...args),
     trace: async (args) => traced(await library, ...args),
   })
 }

@@ -146,10 +146,9 @@ export class SceneAnswers {
     this.#thread.scheduler.schedule()
   }
 
-  /** The module for clipping and fitting, loaded on demand. */
-  async #regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
-    if ((region ?? undefined) === undefined && fit === undefined) return undefined
-    return this.#thread.regions()
+  /** The module for clipping, loaded on demand. */
+  async #regionsFor({ region }: DomainChange): Promise<Regions | undefined> {
+    return (region ?? undefined) && this.#thread.regions()
   }
 
   #tellOutlines(): void {
