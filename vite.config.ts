@@ -26,8 +26,8 @@ const PAGES = ['index.html', 'embed.html', 'tutorial/page.html', 'docs/page.html
 /**
  * The files of modules that several parts of the site share. Without the second group each page begins with forty
  * files, many of a few hundred bytes, that compress badly. The threshold, in bytes, merges files that different parts
- * need; it keeps the first files of every page small. With 20,000, files import each other, and a class may be evaluated
- * before the one that it extends.
+ * need; it keeps the first files of every page small. Merged files may import each other, so constants are not made of
+ * constants of other modules (`initialState`), and with 20,000 a class may be evaluated before the one that it extends.
  */
 const SHARED = [
   { name: 'preload', test: /preload-helper/, priority: 1 },
