@@ -18,8 +18,8 @@ import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { isRegionText, readRegion } from '../../web/view/region-text.ts'
 import { createStore } from '../../web/view/store.ts'
-import { MAP_COLORS, type Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
+import { NAMED_STYLE } from './named-style.ts'
 import { RecordingSink, windingOf } from './recording-sink.ts'
 import { box, ring } from './shapes.ts'
 
@@ -134,11 +134,7 @@ describe('a region on the screen', () => {
     scene.open(CIRCLES, { region: RINGS }, regions)
     scene.setLayers({ ...DEFAULT_LAYERS, dual: true, ...layers })
     const drawing = new SvgDrawing()
-    const style = new Proxy(
-      {},
-      { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
-    ) as Style
-    scene.draw(drawing, frame, 1, style)
+    scene.draw(drawing, frame, 1, NAMED_STYLE)
     return String(drawing)
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
-import { describe, expect, it, vi } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { circleAt, type Diagram, type Edit, type Float64s, mergeVertices, type PathSink } from '../../web/lib/index.ts'
@@ -41,9 +41,11 @@ import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
 import { ENOUGH_COLORS, MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
+import { NAMED_STYLE } from './named-style.ts'
 import { leastDistance, signedDistance } from './oracle.ts'
 import { RecordingSink } from './recording-sink.ts'
 import { box } from './shapes.ts'
+import { tickingClock } from './turns.ts'
 
 const random = seededRandom(23)
 const metrics = await loadMetrics({ library })
@@ -383,11 +385,7 @@ describe('the power diagram', () => {
     [0.1, true],
     [1000, false],
   ])('follows each edit where it is there quickly, and else comes at rest: %s ms', (step, follows) => {
-    let now = 0
-    const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
-      now += step
-      return now
-    })
+    const endClock = tickingClock(step)
     const scene = sceneOf(randomCircles(40), { power: true })
     scene.edit([{ kind: 'remove', id: 0 }])
     expect(scene.isPowerMissing).toBe(true)
@@ -395,7 +393,7 @@ describe('the power diagram', () => {
     const circle = { x: 3, y: 4, r: 5 }
     scene.edit([{ kind: 'insert', circle }])
     expect(scene.isPowerMissing).toBe(!follows)
-    clock.mockRestore()
+    endClock()
   })
 })
 
@@ -743,8 +741,7 @@ it('lines from hidden circles end on the rim of what hides them, and do not meet
   scene.setLayers({ ...DEFAULT_LAYERS, ...only })
   const lines = () => {
     const drawing = new SvgDrawing()
-    const style = new Proxy({}, { get: (_, name) => String(name) }) as Style
-    scene.draw(drawing, { x: 0, y: 0, scale: 10, width: 800, height: 600 }, 1, style)
+    scene.draw(drawing, { x: 0, y: 0, scale: 10, width: 800, height: 600 }, 1, NAMED_STYLE)
     const path = /stroke="hidden"[^>]* d="([^"]*)"/.exec(String(drawing))?.[1] ?? ''
     return path.match(/[\d.]+/g)?.map(Number)
   }
@@ -838,7 +835,6 @@ it('data of clients are where they say, in pixels of the screen, and those elsew
     },
   ]
   scene.setLayers({ ...DEFAULT_LAYERS, data })
-  const style = new Proxy({}, { get: (_, name) => (name === 'map' || name === 'ramp' ? [] : name) }) as Style
   const drawn: unknown[] = []
   const box = (path: PathSink) => {
     const { points } = path as RecordingSink
@@ -856,7 +852,7 @@ it('data of clients are where they say, in pixels of the screen, and those elsew
   for (const pixelRatio of [1, 2]) {
     drawn.length = 0
     const frame = { x: 5, y: 0, scale: 10 * pixelRatio, width: 200 * pixelRatio, height: 100 * pixelRatio }
-    scene.draw(drawing, frame, pixelRatio, style)
+    scene.draw(drawing, frame, pixelRatio, NAMED_STYLE)
     const [[, width, , lines], [, dots]] = drawn as [unknown[], unknown[]]
     expect(drawn).toHaveLength(2)
     expect(lines).toEqual([50, 130, 20, 100].map((end) => end * pixelRatio))
@@ -886,14 +882,10 @@ it.each([
   scene.setLayers({ ...DEFAULT_LAYERS, ...layers } as Layers)
   if (scene.isPowerMissing) scene.addPower(metrics)
   if (scene.isMethodMissing) scene.addMethod()
-  const style = new Proxy(
-    {},
-    { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
-  ) as Style
   const lengthsAt = (pixelRatio: number) => {
     const drawing = new SvgDrawing()
     const [scale, width, height] = [30, 800, 700].map((pixels) => pixels * pixelRatio) as [number, number, number]
-    scene.draw(drawing, { x: 0, y: 0, scale, width, height }, pixelRatio, style)
+    scene.draw(drawing, { x: 0, y: 0, scale, width, height }, pixelRatio, NAMED_STYLE)
     const lengths = String(drawing).matchAll(/stroke-width="(.+?)"|stroke-dasharray="(\S+) \S+"|A([\d.]+)/g)
     return [...lengths].map(([, width, dash, radius]) => Number(width ?? dash ?? radius))
   }

@@ -8,13 +8,11 @@ import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { drawOverlay, isOverlayEmpty, NOT_HIGHLIGHTED } from '../../web/view/overlay.ts'
 import { commandsOf } from '../../web/view/painter/commands.ts'
 import type { Drawing } from '../../web/view/painter/drawing.ts'
-import type { Style } from '../../web/view/style.ts'
+import { NAMED_STYLE } from './named-style.ts'
 import { RecordingSink } from './recording-sink.ts'
 
 type Above = Parameters<typeof drawOverlay>[4]
 
-/** The colors of a style are the names of its properties. */
-const STYLE = new Proxy({}, { get: (_, name) => name }) as Style
 const FRAME = { x: 0, y: 0, scale: 10, width: 400, height: 300 }
 const NO_NAMES = { list: [], circles: new CircleTable(new Float64Array()), domain: {} }
 const EMPTY: Above = {
@@ -89,7 +87,7 @@ function drawn(content: Partial<Above>, pixelRatio = 1): RecordedDrawing {
   const { x, y, scale, width, height } = FRAME
   const [pixels, rows] = [width * pixelRatio, height * pixelRatio]
   const frame = { x, y, scale: scale * pixelRatio, width: pixels, height: rows }
-  drawOverlay(drawing, frame, pixelRatio, STYLE, { ...EMPTY, ...content })
+  drawOverlay(drawing, frame, pixelRatio, NAMED_STYLE, { ...EMPTY, ...content })
   return drawing
 }
 

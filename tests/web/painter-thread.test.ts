@@ -14,8 +14,10 @@ import type {
   PainterRequests,
   PaintRequest,
 } from '../../web/view/protocol.ts'
-import { SHADES, type Style } from '../../web/view/style.ts'
+import type { Style } from '../../web/view/style.ts'
+import { NAMED_STYLE } from './named-style.ts'
 import { Path } from './page-canvas.ts'
+import { tickingClock } from './turns.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 const LARGEST = 16_384
@@ -89,9 +91,6 @@ beforeEach(() => {
 })
 afterEach(() => vi.unstubAllGlobals())
 
-const colors = Array.from({ length: SHADES }, () => 'white')
-const style = new Proxy({}, { get: (_, name) => (name === 'ramp' || name === 'map' ? colors : 'black') }) as Style
-
 /** Adds a scene and opens circles in it. */
 async function openScene(scene: number): Promise<void> {
   send('add', scene)
@@ -124,11 +123,7 @@ it('what is found is told once, also where the rest after circles were opened is
 
 it('a search that an edit has overtaken tells nothing', async () => {
   await openScene(8)
-  let now = performance.now()
-  const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
-    now += 20
-    return now
-  })
+  const endClock = tickingClock(20)
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
   try {
     const found = () => eventsOf('found', 8)
@@ -146,22 +141,22 @@ it('a search that an edit has overtaken tells nothing', async () => {
     send('close', 8)
   } finally {
     vi.useRealTimers()
-    clock.mockRestore()
+    endClock()
   }
 })
 
 describe('what stands out', () => {
   it('has other outlines where another box, or another scale, is looked at', async () => {
     await openScene(1)
-    send('look', 1, requestOf(1, 1, 10, 1), style)
+    send('look', 1, requestOf(1, 1, 10, 1), NAMED_STYLE)
     const first = (await answer('mark', 1, 0, undefined)) as Highlights
     const outlined = () => eventsOf('outlined', 1)
     // Requests the same pixels again, for other layers.
-    send('look', 1, requestOf(2, 1, 10, 1), style)
+    send('look', 1, requestOf(2, 1, 10, 1), NAMED_STYLE)
     await heard(1)
     expect(outlined()).toEqual([])
-    send('look', 1, requestOf(3, 1, 10, 3), style)
-    send('look', 1, requestOf(4, 2, 2, 1), style)
+    send('look', 1, requestOf(3, 1, 10, 3), NAMED_STYLE)
+    send('look', 1, requestOf(4, 2, 2, 1), NAMED_STYLE)
     await heard(1)
     const told = [first, ...outlined().map(({ marks }) => marks)]
     const reach = told.map((marks) => Math.max(...(marks.selected?.outline ?? [])))
@@ -169,7 +164,7 @@ describe('what stands out', () => {
     expect(reach[1]).toBeGreaterThan(reach[0] as number)
     expect(reach[2]).toBeGreaterThan(reach[1] as number)
     send('mark', 1, undefined, undefined)
-    send('look', 1, requestOf(5, 3, 1, 1), style)
+    send('look', 1, requestOf(5, 3, 1, 1), NAMED_STYLE)
     await heard(1)
     expect(outlined()).toHaveLength(2)
     send('close', 1)
@@ -177,12 +172,12 @@ describe('what stands out', () => {
 
   it('is as fine as the scale that is looked at: the clearest path, too', async () => {
     await openScene(2)
-    send('look', 2, requestOf(1, 1, 1, 1), style)
+    send('look', 2, requestOf(1, 1, 1, 1), NAMED_STYLE)
     const path = { from: { x: -5, y: 8 }, to: { x: 12, y: 8 } }
     send('layers', 2, { ...DEFAULT_LAYERS, path }, true)
     const pieces = () => eventsOf('found', 2).map(({ found }) => found.path?.outline.length ?? 0)
     await vi.waitFor(() => expect(pieces()).toHaveLength(1), SOON)
-    send('look', 2, requestOf(2, 2, 1e5, 1), style)
+    send('look', 2, requestOf(2, 2, 1e5, 1), NAMED_STYLE)
     await vi.waitFor(() => expect(pieces()).toHaveLength(2), SOON)
     expect(pieces()[1]).toBeGreaterThan(pieces()[0] as number)
     send('close', 2)
@@ -202,8 +197,7 @@ it('an SVG has the power diagram and what depends on all circles, however soon i
   await openScene(5)
   send('layers', 5, { ...DEFAULT_LAYERS, hull: true, power: true }, true)
   const frame = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
-  const told = new Proxy(style, { get: (style, name) => (name === 'power' ? 'power' : Reflect.get(style, name)) })
-  const { elements, found } = (await answer('svg', 5, frame, told, [])) as DrawnSvg
+  const { elements, found } = (await answer('svg', 5, frame, NAMED_STYLE, [])) as DrawnSvg
   expect(elements).toContain('stroke="power"')
   expect(found.hull?.length).toBeGreaterThan(0)
   send('close', 5)
@@ -249,11 +243,7 @@ describe('questions', () => {
     const many = Float64Array.from({ length: 900 }, (_, k) => (k % 3 === 2 ? 0.1 : ((k * 7919) % 997) / 9))
     await openScene(12)
     send('open', 12, 2, many, undefined, {})
-    let now = performance.now()
-    const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
-      now += 5
-      return now
-    })
+    const endClock = tickingClock(5)
     const first = send('tabulate', 12, ['area'], undefined)
     send('open', 12, 3, CIRCLES, undefined, {})
     await vi.waitFor(() => expect(answerOf(first)?.value).toMatchObject({ ids: Int32Array.of(0, 1, 2) }), SOON)
@@ -264,7 +254,7 @@ describe('questions', () => {
       ;(globalThis as unknown as Worker).onmessage?.({ data: cancel } as MessageEvent)
       expect(answerOf(second)).toMatchObject({ error: { message: expect.stringContaining('abort') } })
     }, SOON)
-    clock.mockRestore()
+    endClock()
     send('close', 12)
   })
 })
@@ -273,10 +263,10 @@ describe('one scene', () => {
   it('that cannot be drawn as it was asked for is answered with nothing, and all go on', async () => {
     await openScene(3)
     const frame = { x: 0, y: 0, scale: 1, width: 100, height: 100 }
-    expect(await ask('image', 3, { ...frame, width: 2 * LARGEST }, 1, style)).toEqual({ value: undefined })
-    expect(await ask('svg', 3, { ...frame, width: Number.NaN }, style, [])).toEqual({ value: undefined })
-    expect(await answer('image', 3, frame, 1, style)).toEqual({ width: 100 })
-    expect(await answer('svg', 3, frame, style, [])).toEqual({
+    expect(await ask('image', 3, { ...frame, width: 2 * LARGEST }, 1, NAMED_STYLE)).toEqual({ value: undefined })
+    expect(await ask('svg', 3, { ...frame, width: Number.NaN }, NAMED_STYLE, [])).toEqual({ value: undefined })
+    expect(await answer('image', 3, frame, 1, NAMED_STYLE)).toEqual({ width: 100 })
+    expect(await answer('svg', 3, frame, NAMED_STYLE, [])).toEqual({
       elements: expect.stringContaining('<'),
       found: expect.anything(),
     })
@@ -296,7 +286,7 @@ describe('an error in painting', () => {
     send('look', 8, requestOf(1, 1, 10, 4), broken)
     await vi.waitFor(() => expect(eventsOf('failed', 8)).toHaveLength(1), SOON)
     expect(eventsOf('failed', 8)).toMatchObject([{ error: { message: expect.stringContaining('It broke') } }])
-    send('look', 8, requestOf(2, 1, 10, 4), style)
+    send('look', 8, requestOf(2, 1, 10, 4), NAMED_STYLE)
     await vi.waitFor(() => expect(eventsOf('painted', 8).at(-1)).toMatchObject({ paintId: 2, isWhole: true }), SOON)
     expect(eventsOf('painted', 8).flatMap(({ patches }) => patches)).toHaveLength(16)
     expect(eventsOf('failed', 8)).toHaveLength(1)
@@ -316,7 +306,7 @@ describe('an error in painting', () => {
 it('an edit paints what is visible as a whole, also right after another scale', async () => {
   await openScene(8)
   const wanted = { left: -1024, top: -1024, width: 2048, height: 2048 }
-  send('look', 8, { ...requestOf(1, 1, 40, 6), wanted }, style)
+  send('look', 8, { ...requestOf(1, 1, 40, 6), wanted }, NAMED_STYLE)
   const edits = [{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: 1 } }] as const
   const edited = (await answer('edit', 8, 1, edits, {})) as EditedPicture
   const before = said.slice(
@@ -334,20 +324,16 @@ it('an edit paints what is visible as a whole, also right after another scale', 
 it('all scenes are painted in the end, however short the slices of time are', async () => {
   const scenes = [9, 10]
   for (const scene of scenes) await openScene(scene)
-  let now = performance.now()
   // Between two readings of the clock, the time slice ends.
-  const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
-    now += 5
-    return now
-  })
-  for (const scene of scenes) send('look', scene, requestOf(1, 1, 40, 4), style)
+  const endClock = tickingClock(5)
+  for (const scene of scenes) send('look', scene, requestOf(1, 1, 40, 4), NAMED_STYLE)
   await vi.waitFor(() => {
     for (const scene of scenes) expect(eventsOf('painted', scene).at(-1)?.isWhole).toBe(true)
   }, SOON)
   for (const scene of scenes) {
     expect(eventsOf('painted', scene).flatMap(({ patches }) => patches)).toHaveLength(16)
   }
-  clock.mockRestore()
+  endClock()
   for (const scene of scenes) send('close', scene)
 })
 
@@ -356,19 +342,15 @@ it('long work lets tiles and requests go first', async () => {
   await openScene(14)
   send('open', 14, 2, many, undefined, {})
   await heard(14)
-  let now = performance.now()
-  const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
-    now += 5
-    return now
-  })
+  const endClock = tickingClock(5)
   const long = send('measure', 14)
-  send('look', 14, requestOf(1, 1, 40, 2), style)
+  send('look', 14, requestOf(1, 1, 40, 2), NAMED_STYLE)
   const short = send('tell', 14, [0])
   await vi.waitFor(() => expect(answerOf(long)).toBeDefined(), SOON)
   const painted = said.findLastIndex((message) => 'event' in message && message.event === 'painted')
   const [last, first] = [long, short].map((id) => said.indexOf(answerOf(id) as FromThread)) as [number, number]
   expect(first).toBeLessThan(last)
   expect(painted).toBeLessThan(last)
-  clock.mockRestore()
+  endClock()
   send('close', 14)
 })

@@ -137,6 +137,7 @@ describe('the player', () => {
     await seconds(1)
     expect(step()).toBe(10)
     await press(WORDS.pause)
+    await choose(WORDS.speed, '30')
     await seconds(1)
     expect(step()).toBe(10)
   })

@@ -8,14 +8,10 @@ import { answers } from '../../web/view/painter/answers.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
-import { MAP_COLORS, type Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
+import { NAMED_STYLE } from './named-style.ts'
 
 const LATTICE: Lattice = { a: [8, 0], b: [2, 6] }
-const STYLE = new Proxy(
-  {},
-  { get: (_, name) => (name === 'map' ? Array(MAP_COLORS).fill('map') : String(name)) },
-) as Style
 
 function circles(count: number, seed: number): Float64Array {
   const random = seededRandom(seed)
@@ -135,7 +131,7 @@ describe('circles that repeat', () => {
   it('are drawn with their images, the border of the box, and a veil around it', () => {
     const drawn = (x: number, y: number, scale = 40) => {
       const drawing = new SvgDrawing()
-      sceneOf(circles(6, 6)).draw(drawing, { x, y, scale, width: 320, height: 320 }, 1, STYLE)
+      sceneOf(circles(6, 6)).draw(drawing, { x, y, scale, width: 320, height: 320 }, 1, NAMED_STYLE)
       return String(drawing)
     }
     // A corner of the box is visible.

@@ -12,3 +12,13 @@ export const eventually = <Value>(check: () => Value | Promise<Value>) => vi.wai
 export async function settled(): Promise<void> {
   for (let k = 0; k < 30; k++) await Promise.resolve()
 }
+
+/** Lets the clock go on by some milliseconds whenever it is read. Returns a function that ends this. */
+export function tickingClock(step: number): () => void {
+  let now = performance.now()
+  const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
+    now += step
+    return now
+  })
+  return () => clock.mockRestore()
+}
