@@ -366,4 +366,6 @@ it('another region replaces one that waits only if both belong to one gesture', 
   expect(edit.mock.calls.map(([, change]) => change?.region)).toEqual([SQUARE, STAR, BOX])
   await editing.undo()
   expect(editing.domain.region).toEqual(STAR)
+  await editing.undo()
+  expect(editing.domain.region).toEqual(RINGS)
 })

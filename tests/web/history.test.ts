@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { namedAs } from '../../web/editing/attributes.ts'
-import { type History, limited } from '../../web/editing/history.ts'
+import { EMPTY_HISTORY, type History, limited, record } from '../../web/editing/history.ts'
 import { PackedSteps } from '../../web/editing/packed-steps.ts'
 import type { Edit } from '../../web/lib/index.ts'
 
@@ -16,9 +16,13 @@ describe('a history', () => {
   const gestures = ({ done, undone }: History) =>
     [done, undone].map((side) => side.map((entry) => ('gesture' in entry ? entry.gesture : entry.kind)))
 
-  it('takes 29 bytes for a moved circle', () => {
+  it('takes 29 bytes for a moved circle, however often a gesture moves it', () => {
     const { steps } = entry(1, 100_000)
     expect([steps.bytes, steps.length]).toEqual([2_900_000, 100_000])
+    let history = EMPTY_HISTORY
+    for (const x of [1, 2, 3]) history = record(history, [back(0, x)], 7)
+    const [only] = history.done
+    expect(only?.kind === 'edits' && only.steps.bytes).toBe(29)
   })
 
   it('forgets what is farthest from now where it takes too many bytes, and never the last step', () => {
