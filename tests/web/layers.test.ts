@@ -546,7 +546,14 @@ describe('what the touching disc method makes on its way', () => {
       expect(gaps[1]).toBeCloseTo(at(discs, k + 2), 6)
     }
     expect(graph?.segments?.length).toBeGreaterThan(points.length)
-    expect(directed?.segments?.length).toBe(4 * hull.length)
+    const segments = directed?.segments as Float64Array
+    const centerOf = (circle: number) => [...circles.subarray(3 * circle, 3 * circle + 2)].join()
+    const ends = Array.from({ length: segments.length / 2 }, (_, k) => segments.subarray(2 * k, 2 * k + 2).join())
+    expect(ends.toSorted()).toEqual(
+      Array.from(hull)
+        .flatMap((circle) => [centerOf(circle), centerOf(circle)])
+        .toSorted(),
+    )
   })
 })
 

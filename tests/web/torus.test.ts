@@ -171,11 +171,14 @@ describe('circles that repeat', () => {
   )
 
   it('draw each border once', () => {
-    const { picture } = sceneOf(circles(15, 7))
-    const { cells } = picture.diagram
-    let count = 0
-    for (let i = 0; i < 15; i++) for (const side of cells.sides(i)) count += Number(picture.draws(side))
-    expect(count).toBe(45)
+    const drawnOf = (coordinates: Float64Array) => {
+      const { picture } = sceneOf(coordinates)
+      const sides = Array.from({ length: coordinates.length / 3 }, (_, i) => [...picture.diagram.cells.sides(i)])
+      return sides.flat().filter((side) => picture.draws(side)).length
+    }
+    expect(drawnOf(circles(15, 7))).toBe(45)
+    // All neighbors of a circle alone are its images.
+    expect(drawnOf(circles(1, 7))).toBe(3)
   })
 
   it('show no layers of the whole plane', () => {
