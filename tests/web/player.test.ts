@@ -82,9 +82,10 @@ describe('the steps of a trace', () => {
   })
 
   it('are told with short numbers', () => {
-    expect([1234567, 0.000012345, 0, -2.34567, 1234.5678].map(numberOf)).toEqual([
+    expect([1234567, 0.000012345, 0.001, 0, -2.34567, 1234.5678].map(numberOf)).toEqual([
       '1.23e+6',
       '1.23e-5',
+      '0.001',
       '0',
       '-2.35',
       '1234.57',
