@@ -561,7 +561,13 @@ describe('questions', () => {
       const question = questionAfter(trace, steps, k)
       expect(question !== undefined).toBe(step.line === 'take')
       if (question === undefined) continue
-      const next = (steps[k + 1] as Step).line
+      const { line: next, event } = steps[k + 1] as Step
+      const after = Array.from({ length: trace.length - event - 1 }, (_, i) => kindAt(trace, event + 1 + i) as string)
+      const others = after.findIndex((kind) => !['directedEdgeDeleted', 'segmentFinished'].includes(kind))
+      const ended = after.slice(0, others).filter((kind) => kind === 'directedEdgeDeleted').length
+      // At a disc that three circles touch, two edges end, or three, or it is stale.
+      if (next === 'branch') expect(question.right).toBe(ended - 2)
+      if (next === 'stale') expect(question.right).toBe(2)
       const right = question.answers[question.right] as string
       answers.set(next, [...new Set([...(answers.get(next) ?? []), right])])
     }
