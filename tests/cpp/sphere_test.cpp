@@ -308,6 +308,10 @@ TEST(Sphere, FindsPlacesBeyondCapsAtNearlyTheSamePlace) {
   for (const std::uint64_t seed : {13903, 27607, 46027}) expectRight(test::randomCaps(seed));
 }
 
+// Seen from a third cap, two are at the same place up to rounding. The direction of their vertex is then that of its
+// degrees.
+TEST(Sphere, AreasBesideCapsAtNearlyTheSamePlaceFillTheSphere) { expectRight(test::randomCaps(188616)); }
+
 // The distance of one vertex has eleven digits only, as it magnifies errors of its caps ten times.
 TEST(Sphere, DistancesHaveTheDigitsOfTheirCaps) { expectRight(test::randomCaps(17133)); }
 

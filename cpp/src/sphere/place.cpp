@@ -22,12 +22,6 @@ Touch Places::touchFrom(const Border& second, const Border& third, double opposi
   return {0, direction, (isSecond ? second : third).cotangentToward(direction)};
 }
 
-Touch Places::touchFrom(const std::array<CircleIndex, 3>& caps) const {
-  const auto& [i, j, k] = caps;
-  const double opposite = heightOf(viewOf((*this)[j], (*this)[k]).squaredHalf, halfGrowth(j, k));
-  return touchFrom(border(i, j), border(i, k), opposite);
-}
-
 Touch Places::touch(const std::array<CircleIndex, 3>& caps) const {
   // Entry k is between the caps k + 1 and k + 2.
   std::array<HalfDifferences, 3> differences;

@@ -166,7 +166,6 @@ class Places {
 
   /// Returns the place that touches three caps as seen from the first.
   static Touch touchFrom(const Border& second, const Border& third, double oppositeHeight);
-  Touch touchFrom(const std::array<CircleIndex, 3>& caps) const;
 
  private:
   Places(const SphereDiagram& diagram, std::size_t count) : diagram_(diagram) { places_.reserve(count); }

@@ -11,11 +11,23 @@
 namespace circle_voronoi::sphere {
 namespace {
 
-/// The bearing of a vertex from one of its caps.
+/// The bearing of a vertex from one of its caps. It has more digits than the vertex, whose degrees are rounded, unless
+/// the other two caps are at nearly the same place.
 double bearingOf(const SphereDiagram& diagram, const Places& places, CircleIndex cap, VertexIndex vertex) {
   std::array<CircleIndex, 3> caps = diagram.vertexCaps[at(vertex)];
   while (caps[0] != cap) caps = {caps[1], caps[2], caps[0]};
-  const Vector direction = places.touchFrom(caps).direction;
+  const Border second = places.border(cap, caps[1]);
+  const Border third = places.border(cap, caps[2]);
+  const Vector step = {third.vector.x - second.vector.x, third.vector.y - second.vector.y};
+  const double size = length(second.vector) + length(third.vector) + std::abs(second.offset) + std::abs(third.offset);
+  const SphereVertex& given = diagram.vertices[at(vertex)];
+  const Vector toVertex = viewOf(places[cap], placeAt(given.longitude, given.latitude)).vector;
+  // The errors of the two directions are about size / apart and 1 / |toVertex| roundings.
+  const double apart = length(step) + std::abs(third.offset - second.offset);
+  const bool isLost = apart <= 0x1p-20 * size && 16 * apart < size * length(toVertex);
+  const double opposite =
+      heightOf(viewOf(places[caps[1]], places[caps[2]]).squaredHalf, places.halfGrowth(caps[1], caps[2]));
+  const Vector direction = isLost ? toVertex : Places::touchFrom(second, third, opposite).direction;
   return angleOf(direction.y, direction.x);
 }
 
