@@ -166,28 +166,33 @@ const NAMES = ['value', ...(Object.keys(PROPERTIES) as PropertyName[]), 'selecti
  * @cssprop {<color>} --circle-voronoi-cell-opacity - A color whose alpha value is the opacity of the circles' colors in their cells.
  * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The aspect ratio of the picture, if its height is not set.
  */
-// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: its static block defines the accessors of the interface
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: its static members define the accessors of the interface
 export class CircleVoronoiElement extends Base {
   /** Tells the browser that the element can be part of a form. */
   static readonly formAssociated = true
-  /** The attributes that the element observes. */
-  static readonly observedAttributes: readonly string[] = Object.keys(PROPERTIES)
+  /** The attributes that the element observes, one for each property. */
+  static readonly observedAttributes: readonly string[] = (Object.keys(PROPERTIES) as PropertyName[]).map((name) => {
+    CircleVoronoiElement.#define(name)
+    return name
+  })
   /** The sources of the WebAssembly, used by the first element of a page. */
   static load: FigureLoadOptions = {}
 
-  static {
-    for (const name of Object.keys(PROPERTIES) as PropertyName[]) {
-      if (Object.hasOwn(CircleVoronoiElement.prototype, name)) continue
-      Object.defineProperty(CircleVoronoiElement.prototype, name, {
-        get(this: CircleVoronoiElement) {
-          return this.#get(name)
-        },
-        set(this: CircleVoronoiElement, value: unknown) {
-          this.#set(name, value)
-        },
-        configurable: true,
-      })
-    }
+  /**
+   * Defines the accessors of a property. No static block calls this: bundlers that rewrite such a block for older browsers
+   * may name it like a private member that was renamed here (SWC, "duplicate private name #_").
+   */
+  static #define(name: PropertyName): void {
+    if (Object.hasOwn(CircleVoronoiElement.prototype, name)) return
+    Object.defineProperty(CircleVoronoiElement.prototype, name, {
+      get(this: CircleVoronoiElement) {
+        return this.#get(name)
+      },
+      set(this: CircleVoronoiElement, value: unknown) {
+        this.#set(name, value)
+      },
+      configurable: true,
+    })
   }
 
   readonly #internals: ElementInternals
