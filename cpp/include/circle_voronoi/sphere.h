@@ -123,8 +123,8 @@ struct CIRCLE_VORONOI_API SphereDiagram {
 ///
 /// The projected circles are rounded, so the proof is about caps near the given ones (SphereDiagram::rounding). They
 /// are a few nanometers away on the Earth, and more only if each cap almost hides another or is almost hidden by it: N
-/// is a cap for which the rounding is small. Vertices are computed from the given caps. They touch their caps to 1e-13
-/// of the size of caps and disc, and of the rounding of degrees.
+/// is a cap for which the rounding is small. Vertices are computed from the given caps. They touch their caps to the
+/// rounding of degrees and to a share of the size of caps and disc: 1e-14, or 6 rounding / radius if that is more.
 ///
 /// The same input gives the same bits on every platform. Takes about n log n steps for n caps.
 ///

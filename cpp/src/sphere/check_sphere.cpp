@@ -21,7 +21,7 @@ using sphere::Places;
 /// Vertices are right to a thousandth of this.
 constexpr double kFar = 1e-9;
 
-/// The place of a cap among those of a vertex; any place if it is not there.
+/// The position of a cap among those of a vertex; any position if it is not there.
 std::size_t positionIn(const std::array<CircleIndex, 3>& caps, CircleIndex cap) {
   return caps[0] == cap ? 0 : caps[1] == cap ? 1 : 2;
 }
@@ -222,7 +222,8 @@ class SphereJudge {
   }
 
   void checkVertex(const Disc& disc) {
-    const auto& [v, axes, halfDistance] = disc;
+    const VertexIndex v = disc.vertex;
+    const Axes& axes = disc.axes;
     const Vector3 place = axes.up();
     std::array<Vector3, 3> toward;
     std::array<double, 3> sizes{};
@@ -275,8 +276,8 @@ class SphereJudge {
     }
   }
 
-  /// Returns the place of a cap among those of a vertex.
-  std::size_t placeOf(CircleIndex i, VertexIndex v) const { return positionIn(diagram_.vertexCaps[at(v)], i); }
+  /// Returns the position of a cap among those of a vertex.
+  std::size_t positionOf(CircleIndex i, VertexIndex v) const { return positionIn(diagram_.vertexCaps[at(v)], i); }
 
   /// Returns the cap of a vertex that is not one of two.
   CircleIndex thirdOf(VertexIndex v, CircleIndex i, CircleIndex j) const {
@@ -295,8 +296,8 @@ class SphereJudge {
       const CircleIndex i = diagram_.circleOf(side);
       const VertexIndex start = diagram_.originOf(side);
       const VertexIndex end = diagram_.targetOf(side);
-      const std::size_t atStart = placeOf(i, start);
-      const std::size_t atEnd = placeOf(i, end);
+      const std::size_t atStart = positionOf(i, start);
+      const std::size_t atEnd = positionOf(i, end);
       const double turn = bearings_[at(end)][atEnd] - bearings_[at(start)][atStart];
       const bool isWrapped = turn < 0;
       turns[at(i)].count += isWrapped ? 1 : 0;

@@ -145,6 +145,22 @@ Projection projected(const SphereDiagram& diagram, const Places& places) {
   return best;
 }
 
+/// Returns the certified dual of projected circles, whose radii may be negative.
+Result<State> constructed(const std::vector<Circle>& circles, int threads) {
+  return guarded([&]() -> Result<State> {
+    auto valid = validate(circles, true);
+    if (!valid) return valid.error();
+    Options options;
+    options.threads = threads;
+    Journal journal(options.progress);
+    State state = construct(*std::move(valid), options, journal);
+    if (!state.verdict.isRight()) {
+      return Error{ErrorCode::notCertified, kNone, "No construction led to a certified diagram of the projected caps."};
+    }
+    return state;
+  });
+}
+
 /// Fills edges, the caps of vertices, hidden caps and links from the dual of the plane, whose point at infinity is N.
 void assemble(SphereDiagram& sphere, State plane, const Projection& projection, Threads threads) {
   const CircleIndex pole = projection.pole;
@@ -217,17 +233,14 @@ Result<SphereDiagram> computeValid(std::span<const Cap> caps, const SphereOption
   for (const int i : indices) sphere.caps.push_back(caps[static_cast<std::size_t>(i)]);
   const Places places(sphere);
   Projection projection = projected(sphere, places);
-  auto circles = validate(std::exchange(projection.circles, {}), true);
-  if (!circles) return circles.error();
-  Options planar;
-  planar.threads = options.threads;
-  Journal journal(planar.progress);
-  State plane = construct(*std::move(circles), planar, journal);
-  if (!plane.verdict.isRight()) {
-    return Error{ErrorCode::notCertified, kNone, "No construction led to a certified diagram of the projected caps."};
+  auto plane = constructed(std::exchange(projection.circles, {}), options.threads);
+  if (!plane) {
+    Error error = plane.error();
+    if (error.circle != kNone) error.circle = indices[at(projection.rest[static_cast<std::size_t>(error.circle)])];
+    return error;
   }
   sphere.rounding = options.radius * projection.rounding;
-  assemble(sphere, std::move(plane), projection, threads);
+  assemble(sphere, *std::move(plane), projection, threads);
   sphere.vertices.resize(sphere.vertexCaps.size());
   threads.forEach(sphere.vertices.size(), [&](std::size_t v) {
     const sphere::Touch touch = places.touch(sphere.vertexCaps[v]);

@@ -20,14 +20,16 @@ double bearingOf(const SphereDiagram& diagram, const Places& places, CircleIndex
   const Border third = places.border(cap, caps[2]);
   const Vector step = {third.vector.x - second.vector.x, third.vector.y - second.vector.y};
   const double size = length(second.vector) + length(third.vector) + std::abs(second.offset) + std::abs(third.offset);
-  const SphereVertex& given = diagram.vertices[at(vertex)];
-  const Vector toVertex = viewOf(places[cap], placeAt(given.longitude, given.latitude)).vector;
-  // The errors of the two directions are about size / apart and 1 / |toVertex| roundings.
   const double apart = length(step) + std::abs(third.offset - second.offset);
-  const bool isLost = apart <= 0x1p-20 * size && 16 * apart < size * length(toVertex);
+  if (apart <= 0x1p-20 * size) {
+    const SphereVertex& given = diagram.vertices[at(vertex)];
+    const Vector toVertex = viewOf(places[cap], placeAt(given.longitude, given.latitude)).vector;
+    // The errors of the two directions are about size / apart and 1 / |toVertex| roundings.
+    if (16 * apart < size * length(toVertex)) return angleOf(toVertex.y, toVertex.x);
+  }
   const double opposite =
       heightOf(viewOf(places[caps[1]], places[caps[2]]).squaredHalf, places.halfGrowth(caps[1], caps[2]));
-  const Vector direction = isLost ? toVertex : Places::touchFrom(second, third, opposite).direction;
+  const Vector direction = Places::touchFrom(second, third, opposite).direction;
   return angleOf(direction.y, direction.x);
 }
 
