@@ -336,10 +336,16 @@ describe('a thread that crashes', () => {
 
   it('is replaced by one with the circles, the viewport, the layers and the highlights', async () => {
     const { painter, scene, told, marked } = await begin()
+    // Near circles make the edges of a new picture thinner, but not of this one.
+    const near = Array.from({ length: 9 }, (_, k) => ({ kind: 'insert', circle: [3 + k / 9, 4, 0] }) as const)
+    await scene.edit(near)
+    const widths = async () => (await scene.ask('svg', [FRAME, STYLE, []]))?.elements.match(/stroke-width="[^"]*"/g)
+    const before = await widths()
     crashesAt = 'tell'
     expect(await scene.ask('tell', [[0]])).toBeUndefined()
-    expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([2])
-    expect([started, told.length, marked]).toEqual([2, 1, [1, 1, 1]])
+    expect(await widths()).toEqual(before)
+    expect([...(await scene.edit([{ kind: 'insert', circle: [3, 9, 1] }])).inserted]).toEqual([11])
+    expect([started, told.length, marked]).toEqual([2, 1, [1, 1, 1, 1]])
     const drawn = await scene.ask('svg', [FRAME, STYLE, []])
     expect(drawn).toMatchObject({ elements: expect.stringContaining('<'), found: { hull: expect.anything() } })
     painter.dispose()

@@ -190,6 +190,23 @@ describe('the color of a circle', () => {
   })
 })
 
+describe('circles that are brought far out', () => {
+  it('have cells wherever a new picture has them', () => {
+    const picture = new Picture(library.edit([]))
+    for (const distance of [1, 30, 1e3, 1e5, 1e8]) {
+      const edits = [-1, 1].map((side) => ({ kind: 'insert', circle: [side * distance, distance / 3, 0] }) as const)
+      picture.apply(picture.editor.apply(edits))
+      const fresh = new Picture(library.edit(picture.diagram.circles))
+      const [far, width] = [100 * distance, distance / 10]
+      const between = [
+        { minX: -width, minY: far, maxX: width, maxY: far + width },
+        { minX: -width, minY: -far - width, maxX: width, maxY: -far },
+      ]
+      for (const box of between) expect(picture.circlesIn(box)).toEqual(fresh.circlesIn(box))
+    }
+  })
+})
+
 describe('parts of a picture that are painted anew', () => {
   const coverOf = (boxes: readonly PixelBox[]) => {
     const pixels = new Map<string, number>()

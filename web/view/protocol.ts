@@ -21,7 +21,7 @@ import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange, KeptIds } from './circle-table.ts'
 import type { DiagramCounts } from './diagram-counts.ts'
 import type { Name } from './labels.ts'
-import type { Measure, PaintedLayers } from './layers.ts'
+import type { CellColors, Measure, PaintedLayers } from './layers.ts'
 import type { OtherModules } from './load.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Style } from './style.ts'
@@ -73,6 +73,16 @@ export interface DomainChange {
   readonly areSites?: boolean | undefined
   /** The colors of the circles afterwards, by ascending id (`Coloring`); `undefined` keeps those that are known. */
   readonly colors?: string | undefined
+  /** The lasting parts of the picture, if another thread had the same circles. */
+  readonly lasting?: Lasting | undefined
+}
+
+/** The parts of a picture that depend on the circles as they were opened, so that no edit changes all of it. */
+export interface Lasting {
+  /** The meaning of the colors `auto`. */
+  readonly automatic: CellColors
+  /** The approximate distance between neighboring circles, on which the width of edges depends. */
+  readonly cellWidth: number
 }
 
 /**
@@ -167,6 +177,7 @@ export interface Opened {
   /** The circles if they have changed, because they repeat. */
   readonly circles: Float64s | undefined
   readonly colors: string | undefined
+  readonly lasting: Lasting
 }
 
 /** The result of an edit, and what it changed in the picture. */

@@ -175,12 +175,12 @@ export class SceneClient {
 
   /** Follows a change of the circles, and tells it. */
   #confirm(
-    { counts, seconds, colors }: Omit<Opened, 'circles'>,
+    { counts, seconds, colors, lasting }: Omit<Opened, 'circles'>,
     changed: CircleChange,
     { region = this.#domain.region, lattice = this.#domain.lattice, areSites = this.#domain.areSites }: DomainChange,
     picture: EditedPicture | undefined,
   ): Edited {
-    this.#domain = { region, lattice, areSites, colors: colors ?? this.#domain.colors }
+    this.#domain = { region, lattice, areSites, colors: colors ?? this.#domain.colors, lasting }
     const back = this.#circles.follow(changed)
     this.#threads.worked()
     const edited = { counts, seconds, colors, inserted: changed.inserted, back }

@@ -44,7 +44,7 @@ export class PaintContext {
     this.limits = { bounds: boundsOf(frame), maxDistance: this.layers.maxDistance }
     this.tolerance = toleranceOf(frame)
     this.circles = picture.circlesIn(this.limits.bounds.box)
-    this.width = (picture.cellWidth * frame.scale) / pixelRatio
+    this.width = (picture.lasting.cellWidth * frame.scale) / pixelRatio
     this.lineWidth = pixelRatio * Math.min(this.width / CELL_WIDTH_PER_LINE_WIDTH, THICKEST_LINE)
   }
 

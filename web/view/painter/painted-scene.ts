@@ -16,7 +16,7 @@ import {
   type PaintedLayers,
   repeatingLayers,
 } from '../layers.ts'
-import type { Described, DomainChange, DrawnSvg, GlobalResults, Highlights, Patch } from '../protocol.ts'
+import type { Described, DomainChange, DrawnSvg, GlobalResults, Highlights, Lasting, Patch } from '../protocol.ts'
 import type { Style } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 import { Centers } from './centers.ts'
@@ -49,6 +49,7 @@ const MOST_NEIGHBORS = 500
 interface OpenResult {
   readonly circles: Float64s | undefined
   readonly colors: string | undefined
+  readonly lasting: Lasting
   /** The computing time. */
   readonly seconds: number
 }
@@ -105,9 +106,11 @@ export class PaintedScene {
     this.#selected = undefined
     this.#hovered = undefined
     if (change.colors !== undefined) picture.recolor(change.colors)
+    if (change.lasting !== undefined) picture.lasting = change.lasting
     this.setLayers(layers)
     return {
       colors: picture.newColors(),
+      lasting: picture.lasting,
       circles: opened === circles ? undefined : opened.slice(),
       seconds,
     }
@@ -212,7 +215,7 @@ export class PaintedScene {
   /** Computes the global results in steps. The circles must stay the same meanwhile. */
   *findInSteps(): Generator<void, GlobalResults> {
     const scale = this.tiles.viewport?.grid.scale
-    const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
+    const tolerance = scale === undefined ? this.picture.lasting.cellWidth / 1000 : toleranceOf({ scale })
     const steps = found(this.picture, tolerance)
     for (let seconds = 0; ; ) {
       const start = performance.now()
@@ -272,6 +275,7 @@ export class PaintedScene {
     change: CircleChange
     found: GlobalResults | undefined
     colors: string | undefined
+    lasting: Lasting
     seconds: number
   } {
     const clip = this.#clipOf(domain, regions)
@@ -298,6 +302,7 @@ export class PaintedScene {
       boxes,
       change: { inserted, removed, replaced, circles },
       colors: this.picture.newColors(),
+      lasting: this.picture.lasting,
       found: this.isFoundQuickly ? this.find() : undefined,
       seconds,
     }

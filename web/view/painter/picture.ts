@@ -12,7 +12,7 @@ import {
   type OwnColors,
   type PaintedLayers,
 } from '../layers.ts'
-import type { Legend } from '../protocol.ts'
+import type { Lasting, Legend } from '../protocol.ts'
 import { MAP_COLORS, SHADES, type Style } from '../style.ts'
 import { BoxIndex } from './box-index.ts'
 import { addAround, boxAt, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
@@ -25,6 +25,8 @@ import { RepeatedDiagram, type Torus } from './torus.ts'
 
 /** Length at which unbounded edges are cut, relative to the extent of all circles. */
 const HORIZON = 1000
+/** Once circles are farther apart than that many former extents, edges are cut elsewhere. */
+const GROWTH = 10
 
 const NO_MOVES: readonly Point[] = [{ x: 0, y: 0 }]
 
@@ -71,10 +73,10 @@ export class Picture {
   readonly #snapshot: DiagramSnapshot
   /** The bounding box of all circles and cells without images. */
   #extent: Box = EMPTY_BOX
-  /** The approximate distance between neighboring circles. */
-  readonly cellWidth: number
-  /** Length at which unbounded edges are cut. */
-  readonly reach: number
+  /** The parts that no edit changes. */
+  lasting: Lasting
+  /** A box around all circles, now or before. */
+  #around: Box
   /** The diagram of the centers, if a visible layer needs it. */
   centers: FollowingPicture | undefined
   /** The power diagram of the current circles, if a visible layer needs it. */
@@ -82,8 +84,6 @@ export class Picture {
   data: readonly IndexedData[] = []
   /** The touching disc method's results for the current circles, if a visible layer needs them. */
   method: (MethodResult & { readonly layers: readonly (IndexedData & { readonly color: MethodLayer })[] }) | undefined
-  /** The meaning of `auto`. It depends on the circles as they were opened, so that no edit changes all colors. */
-  readonly #automatic: CellColors
   #layers: PaintedLayers = DEFAULT_LAYERS
   #clip: Clip | undefined
   /** Whether circles are drawn as points. */
@@ -105,17 +105,17 @@ export class Picture {
     this.torus = torus
     this.#snapshot = editor.snapshot()
     this.diagram = torus?.diagramOf(this.#snapshot) ?? this.#snapshot
-    const { circles } = this.#snapshot
-    const box = boundingBox(circles)
-    const extent = Math.max(box.maxX - box.minX, box.maxY - box.minY)
-    this.reach = HORIZON * extent
-    const count = circles.length / 3
-    this.#automatic = count <= MOST_MAPPED ? 'different' : 'radius'
-    const area = torus?.area ?? (box.maxX - box.minX) * (box.maxY - box.minY)
-    // Circles in a row have hardly any area between them.
-    const usual = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extent / count)
-    this.cellWidth = Math.min(usual, 2 * wideGap(this.#snapshot)) || usual
+    this.#around = boundingBox(this.#snapshot.circles)
+    this.lasting = {
+      automatic: this.count <= MOST_MAPPED ? 'different' : 'radius',
+      cellWidth: cellWidthOf(this.#snapshot, this.#around, torus),
+    }
     this.index = this.#indexed()
+  }
+
+  /** Length at which unbounded edges are cut. */
+  get reach(): number {
+    return HORIZON * extentOf(this.#around)
   }
 
   /** The number of circles without images. */
@@ -154,7 +154,7 @@ export class Picture {
     const before = this.#layers
     this.#layers = layers
     if (layers.maxDistance !== before.maxDistance) this.#limitsChange()
-    const cells = layers.cells === 'auto' ? this.#automatic : layers.cells
+    const cells = layers.cells === 'auto' ? this.lasting.automatic : layers.cells
     const { column } = layers
     if (column !== undefined) {
       if (column !== before.column || this.#measures === undefined) {
@@ -219,7 +219,7 @@ export class Picture {
   /** The quantity that colors show, with `auto` resolved. `column` stands for a client's values. */
   get colors(): CellColors | 'column' {
     if (this.#layers.column !== undefined) return 'column'
-    return this.#layers.cells === 'auto' ? this.#automatic : this.#layers.cells
+    return this.#layers.cells === 'auto' ? this.lasting.automatic : this.#layers.cells
   }
 
   /** Whether colors show a ramp, in place of the colors that tell neighbors from each other. */
@@ -313,6 +313,8 @@ export class Picture {
       this.index.delete(id)
       this.#stars?.delete(id)
     }
+    const grows = this.#grows(change)
+    if (grows) this.index = this.#indexed()
     for (const id of changed) this.#place(id)
     this.#measures?.forget(changed)
     this.#areas?.forget(changed)
@@ -322,8 +324,19 @@ export class Picture {
     boxes.push(...(this.centers?.apply(change).boxes ?? []))
     return {
       boxes: boxes.filter(({ minX, maxX }) => minX <= maxX),
-      isEverywhere: isMethodShown || this.#layers.power,
+      isEverywhere: grows || isMethodShown || this.#layers.power,
     }
+  }
+
+  /** Whether an edit brings circles so far out that edges must be drawn farther. */
+  #grows({ circles }: Change): boolean {
+    const box = emptyBoxes(1)
+    for (let k = 0; k < circles.length; k += 3) {
+      addAround(box, 0, at(circles, k), at(circles, k + 1), at(circles, k + 2))
+    }
+    if (extentOf(union(this.#around, boxAt(box, 0))) <= GROWTH * extentOf(this.#around)) return false
+    this.#around = boundingBox(this.#snapshot.circles)
+    return true
   }
 
   /** Rebuilds everything except the colors of cells. */
@@ -366,6 +379,19 @@ export class Picture {
 const GAP_SAMPLE = 1000
 /** The share of circles whose nearest neighbors are at most that far away. */
 const GAP_SHARE = 0.9
+
+function extentOf({ minX, minY, maxX, maxY }: Box): number {
+  return Math.max(maxX - minX, maxY - minY)
+}
+
+/** The approximate distance between neighboring circles, which are in a box and may repeat. */
+function cellWidthOf(diagram: Diagram, box: Box, torus: Torus | undefined): number {
+  const count = diagram.circles.length / 3
+  const area = torus?.area ?? (box.maxX - box.minX) * (box.maxY - box.minY)
+  // Circles in a row have hardly any area between them.
+  const usual = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extentOf(box) / count)
+  return Math.min(usual, 2 * wideGap(diagram)) || usual
+}
 
 /** A distance of centers beyond which few circles have their nearest neighbor; infinite for single circles. */
 function wideGap(diagram: Diagram): number {
