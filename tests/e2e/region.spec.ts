@@ -12,7 +12,7 @@ import { box } from '../web/shapes.ts'
 import { violationsInBoth } from './accessibility.ts'
 import { framesOf } from './frames.ts'
 import { App, expect, test } from './page.ts'
-import { THREAD } from './thread-session.ts'
+import { THREAD, threadOf } from './thread-session.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 2, 5, 1)
 const SQUARE = box(-3, -3, 9, 8)
@@ -323,6 +323,29 @@ async function withFitter(app: App) {
   expect(circles).toEqual(Float64Array.from(diagram.circles))
   return { page, choose, painting, fitter, circles }
 }
+
+test('cells that are being clipped stay whole if that is canceled', async ({ app }) => {
+  const { page } = app
+  const progress = page.locator('#progress')
+  await app.openPanel('Region')
+  const circles = await app.circles()
+  // The thread never receives the region. A new thread takes over.
+  await threadOf(page).evaluate(() => {
+    const thread = globalThis as unknown as { onmessage(event: MessageEvent): void }
+    const hear = thread.onmessage
+    thread.onmessage = (event) => event.data.name !== 'edit' && hear(event)
+  })
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await expect(progress).toContainText('Clipping the cells of 3 circles …')
+  await progress.getByRole('button', { name: 'Cancel' }).click()
+  await expect(progress).toBeHidden()
+  await expect(page.locator('#toast')).toHaveText('Canceled. Nothing has changed.')
+  await app.painted()
+  expect((await linkOf(app)).region).toBeUndefined()
+  await app.drop('square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await expect(panel(app)).toContainText('One outline with 4 sides')
+  expect(await app.circles()).toEqual(circles)
+})
 
 test('while areas are fitted, the figure zooms and is painted; canceled, the fit ends alone', async ({ app }) => {
   const { page, choose, painting, fitter, circles } = await withFitter(app)

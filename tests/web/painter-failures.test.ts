@@ -404,6 +404,19 @@ it('a long computation is canceled, and another one goes on', async () => {
   expect(ThreadHere.running.size).toBe(0)
 })
 
+it('an edit that is canceled is not made, and the next one is', async () => {
+  const scene = new Painter().add(listener([]))
+  await scene.open(TWO)
+  expect(scene.cancel()).toBe(false)
+  const edited = scene.edit([{ kind: 'remove', id: 0 }], { region: [REGION] })
+  expect(scene.cancel()).toBe(true)
+  await expect(edited).rejects.toThrow(Superseded)
+  expect([...scene.circles.circles()]).toEqual([...TWO])
+  expect(await scene.ask('tell', [[0]])).toMatchObject({ circles: 2 })
+  expect([...(await scene.edit([{ kind: 'insert', circle: [4, 7, 1] }])).inserted]).toEqual([2])
+  expect(scene.cancel()).toBe(false)
+})
+
 it('an edit of circles whose replacement failed is for none, and the next one is made', async () => {
   const painter = new Painter()
   const scene = painter.add(listener([]))

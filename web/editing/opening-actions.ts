@@ -138,7 +138,7 @@ export class OpeningActions {
     }
   }
 
-  /** Cancels the current opening or fit; the circles stay. */
+  /** Cancels the current opening, fit or edit; the circles stay. */
   cancelOpening(): void {
     // Drops circles that are still loading.
     if (!this.#figure.editing.cancelFit() && !this.#figure.view.scene.cancel()) {

@@ -97,8 +97,8 @@ export class SceneClient {
   /** Aborted when the scene is closed. */
   readonly #closing = new AbortController()
   #lastOpening = 0
-  /** The number of openings that are running. */
-  #openings = 0
+  /** The number of openings and edits that are running. */
+  #changes = 0
   #circles = new CircleTable(new Float64Array())
   #domain: DomainChange = {}
 
@@ -136,10 +136,7 @@ export class SceneClient {
     const opening = this.#lastOpening
     const answer = this.#change('open', [this.#scene, opening, circles, kept, change])
     this.events.opening()
-    this.#openings += 1
-    const opened = await answer.finally(() => {
-      this.#openings -= 1
-    })
+    const opened = await answer
     this.#circles = new CircleTable(opened.circles ?? circles.slice(), opening, kept)
     return this.#confirm(opened, NO_CHANGE, change, undefined)
   }
@@ -163,6 +160,7 @@ export class SceneClient {
   ): Promise<ReturnType<PainterRequests[Name]>> {
     if (this.#isClosed) throw failureFor(isDisposedOf)
     const channel = this.#threads.begin()
+    this.#changes += 1
     try {
       return await channel.request(name, args, { signal: this.#closing.signal })
     } catch (error) {
@@ -170,6 +168,8 @@ export class SceneClient {
       // The thread may have other circles than the confirmed ones.
       if (isUnexpected(error)) this.#reopen()
       throw asFailure(error)
+    } finally {
+      this.#changes -= 1
     }
   }
 
@@ -188,11 +188,11 @@ export class SceneClient {
     return edited
   }
 
-  /** Cancels an opening by replacing the thread that computes it. Returns false if no opening is running. */
+  /** Cancels an opening or an edit by replacing the thread that computes it. Returns false if none is running. */
   cancel(): boolean {
-    const isOpening = this.#openings > 0
-    if (isOpening) this.#threads.restart()
-    return isOpening
+    const isChanging = this.#changes > 0
+    if (isChanging) this.#threads.restart()
+    return isChanging
   }
 
   /**
