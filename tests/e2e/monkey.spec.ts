@@ -4,7 +4,7 @@ import { writeFileSync } from 'node:fs'
 import type { CDPSession, JSHandle, Page } from '@playwright/test'
 import { Monkey } from './monkey.ts'
 import { App, expect as expectSoon, test } from './page.ts'
-import { heapOf, THREAD, threadOf, withThread } from './thread-session.ts'
+import { heapOf, THREAD, withThread } from './thread-session.ts'
 
 /** Pending actions may take a while. */
 const expect = expectSoon.configure({ timeout: 30_000 })
@@ -33,16 +33,21 @@ function shown({ page }: App): Promise<string> {
 }
 
 /**
- * Waits until all requests are done and painted, including work that the thread defers until no edit is in progress.
+ * Waits until all requests are done and painted, including fits in their thread and work that the painting thread defers
+ * until no edit is in progress.
  */
 async function rest(app: App): Promise<void> {
-  const thread = async () => {
-    await threadOf(app.page).evaluate(() => new Promise((resolve) => setTimeout(resolve, 300)))
+  const threads = async () => {
+    const idle = app.page.workers().map((thread) =>
+      // The thread may end meanwhile.
+      thread.evaluate(() => new Promise((resolve) => setTimeout(resolve, 300))).catch(() => {}),
+    )
+    await Promise.all(idle)
   }
   let last: string | undefined
   await expect(async () => {
     const before = last
-    await thread()
+    await threads()
     await expect(app.canvas).toHaveAttribute('aria-busy', 'false', { timeout: 100 })
     last = await shown(app)
     expect(last).toBe(before)
