@@ -474,6 +474,14 @@ TEST(DistanceClip, ChordsOfRimsDoNotCutHoles) {
   for (double tolerance = 1e-7; tolerance < 1e5; tolerance *= 3) expectValidPolygons(clipped, tolerance, 1e-9);
 }
 
+// A corner in the center of the circle kept corners that chords of the rim cut off from being found.
+TEST(DistanceClip, ChordsOfRimsDoNotCutAHoleWithACornerInTheCenter) {
+  const Diagram diagram = compute(std::vector<Circle>{{0, 0, 1}, {6, 5, 3}}, {.metric = Metric::circles}).value();
+  const Region region = test::regionFrom({{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {{0, 0}, {1, 0}, {2, -0.5}, {0, -1}}});
+  const auto clipped = ClippedDiagram::from(diagram, region, 1.4142135623730951).value();
+  for (double tolerance = 1e-7; tolerance < 1e5; tolerance *= 3) expectValidPolygons(clipped, tolerance, 1e-9);
+}
+
 /// Expects that the judge takes the loops of a cell, and refuses them with each fault.
 void expectFaultsRefused(const ClippedDiagram& clipped, CircleIndex circle) {
   SCOPED_TRACE("cell " + std::to_string(std::int32_t{circle}));

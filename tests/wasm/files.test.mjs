@@ -119,6 +119,15 @@ it('a diagram of weights says that it is one', () => {
   assert.deepEqual({ ...files.readDiagram(text) }, { ...diagram })
 })
 
+it('a lone surrogate is one character of a text', () => {
+  const { circles, attributes } = files.readCircleFile('name,x,y,r,id\n\ud800,1,2,3,\udc00')
+  assert.deepEqual([...circles], [1, 2, 3])
+  assert.deepEqual(attributes.properties, ['{"name":"\ufffd","id":"\ufffd"}'])
+  const lone = { ...attributes, properties: ['{"name":"\ud800"}'], ids: [] }
+  const text = files.writeCircles(circles, { format: 'json', attributes: lone })
+  assert.deepEqual(JSON.parse(text), [{ x: 1, y: 2, r: 3, name: '\ufffd' }])
+})
+
 describe('diagrams by other metrics', () => {
   const circles = readCirclesOf('waka.csv')
   // One weight is smaller than a step of coordinates.

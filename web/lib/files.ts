@@ -370,9 +370,9 @@ function linesOf(attributes: CircleAttributes | undefined, count: number): WasmA
   }
 }
 
-/** Removes line ends, which JSON allows only between values. */
+/** Removes line ends, which JSON allows only between values, and lone surrogates. */
 function withoutLineEnds(json: string): string {
-  return json.trim().replace(/[\r\n]/g, ' ')
+  return wellFormed(json.trim().replace(/[\r\n]/g, ' '))
 }
 
 /** Parses JSON; `undefined` if the text is not valid. */
@@ -389,7 +389,12 @@ function textOf(text: unknown, caller: string): string | Uint8Array {
     refuseInput(`${caller} takes a text or its bytes, not ${shown(text)}.`)
   }
   checkMemory(text, caller, 'the bytes')
-  return text
+  return typeof text === 'string' ? wellFormed(text) : text
+}
+
+/** Replaces lone surrogates, as a `TextEncoder` does; the glue of Emscripten would swallow the character after them. */
+function wellFormed(text: string): string {
+  return text.replace(/\p{Surrogate}/gu, '\uFFFD')
 }
 
 function nameOf(options: ReadOptions, caller: string, known: readonly string[]): string {

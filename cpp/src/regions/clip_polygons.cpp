@@ -51,6 +51,7 @@ class RoomMaker {
   RoomMaker(Point center, Between between) : between_(between), center_(center) {}
 
   std::vector<Point> run(const std::vector<Point>& points, std::vector<Point> corners) {
+    std::erase(corners, center_);  // Each step has it on its left.
     // Around the center, from the start of the steps on.
     const Point start = points.front();
     const auto isInSecondHalf = [&](Point p) { return orientation(center_, start, p) < 0; };
