@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random actions in the page. `npm run monkey` runs more actions.
 import { writeFileSync } from 'node:fs'
-import type { CDPSession, JSHandle, Page } from '@playwright/test'
-import { Monkey } from './monkey.ts'
+import type { CDPSession, Page } from '@playwright/test'
+import { Monkey, stay } from './monkey.ts'
 import { App, expect as expectSoon, test } from './page.ts'
+import { differenceOf, keepPicture, pngOf, shown } from './pictures.ts'
 import { heapOf, THREAD, withThread } from './thread-session.ts'
 
 /** Pending actions may take a while. */
@@ -16,21 +17,6 @@ const CHECKED = 30
 const GROWTH = { page: 12e6, thread: 24e6, nodes: 3000 }
 
 test.use({ hasTouch: true, permissions: ['clipboard-read', 'clipboard-write'] })
-
-/** Summarizes the visible state, to detect changes. */
-function shown({ page }: App): Promise<string> {
-  return page.evaluate(async () => {
-    const hashes = [...document.querySelectorAll<HTMLCanvasElement>('#figure canvas')].map(async (canvas) => {
-      const copy = new OffscreenCanvas(canvas.width, canvas.height)
-      const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
-      context.drawImage(canvas, 0, 0)
-      const { data } = context.getImageData(0, 0, canvas.width, canvas.height)
-      return String(new Uint8Array(await crypto.subtle.digest('SHA-256', data)))
-    })
-    const status = document.querySelector('#status')?.textContent
-    return [status, location.href, ...(await Promise.all(hashes))].join()
-  })
-}
 
 /**
  * Waits until all requests are done and painted, including fits in their thread and work that the painting thread defers
@@ -49,7 +35,7 @@ async function rest(app: App): Promise<void> {
     const before = last
     await threads()
     await expect(app.canvas).toHaveAttribute('aria-busy', 'false', { timeout: 100 })
-    last = await shown(app)
+    last = await shown(app.page)
     expect(last).toBe(before)
   }).toPass({ intervals: [100], timeout: 120_000 })
 }
@@ -66,15 +52,15 @@ async function paintAnew(app: App): Promise<void> {
 /** Expects that tiles painted by edits equal a full repaint. */
 async function expectPaintedRight(app: App): Promise<void> {
   await rest(app)
-  const before = await painted(app.page)
+  await keepPicture(app.page, 'before')
   await paintAnew(app)
-  await expectSame(app, before, await painted(app.page))
+  await expectSame(app)
 }
 
 /** Expects that a new thread, which gets the state of the view, paints the same picture. */
 async function expectSameInNewThread(app: App): Promise<void> {
   await paintAnew(app)
-  const before = await painted(app.page)
+  await keepPicture(app.page, 'before')
   const next = app.page.waitForEvent('worker')
   // The thread crashes at the next message.
   await app.page.evaluate(() => {
@@ -87,65 +73,22 @@ async function expectSameInNewThread(app: App): Promise<void> {
   await paintAnew(app)
   await next
   await paintAnew(app)
-  await expectSame(app, before, await painted(app.page))
+  await expectSame(app)
 }
 
-async function expectSame({ page }: App, before: Painted, after: Painted): Promise<void> {
-  const difference = await page.evaluate(differenceOf, [before, after] as const)
+/** Expects that the picture is the one that was kept before. */
+async function expectSame({ page }: App): Promise<void> {
+  await keepPicture(page, 'after')
+  const difference = await differenceOf(page)
   if (difference.squares > 0) {
     console.log(page.url())
-    for (const [name, picture] of Object.entries({ before, after })) {
+    for (const name of ['before', 'after'] as const) {
       const path = test.info().outputPath(`${name}.png`)
-      writeFileSync(path, Buffer.from(await page.evaluate(pngOf, picture)))
+      writeFileSync(path, Buffer.from(await pngOf(page, name)))
       console.log(path)
     }
   }
   expect(difference).toEqual({ squares: 0 })
-}
-
-async function pngOf(picture: ImageData): Promise<number[]> {
-  const canvas = new OffscreenCanvas(picture.width, picture.height)
-  canvas.getContext('2d')?.putImageData(picture, 0, 0)
-  return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())]
-}
-
-type Painted = JSHandle<ImageData>
-
-function painted(page: Page): Promise<Painted> {
-  return page.evaluateHandle(() => {
-    const canvas = document.querySelector('#figure canvas') as HTMLCanvasElement
-    const copy = new OffscreenCanvas(canvas.width, canvas.height)
-    const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
-    context.drawImage(canvas, 0, 0)
-    return context.getImageData(0, 0, canvas.width, canvas.height)
-  })
-}
-
-/**
- * The number and places of tiles that differ. Clipping changes the chords of lines by up to a tenth of a pixel, so that
- * single pixels may differ.
- */
-function differenceOf([one, other]: readonly [ImageData, ImageData]) {
-  const side = 3
-  const most = 24 * side * side
-  if (one.width !== other.width || one.height !== other.height) return { squares: Number.POSITIVE_INFINITY }
-  let squares = 0
-  let [left, top, right, bottom] = [one.width, one.height, 0, 0]
-  for (let y = 0; y + side <= one.height; y += side) {
-    for (let x = 0; x + side <= one.width; x += side) {
-      const sums = [0, 0, 0]
-      for (let k = 0; k < side * side; k++) {
-        const first = 4 * ((y + Math.floor(k / side)) * one.width + x + (k % side))
-        for (const c of [0, 1, 2]) {
-          sums[c] = (sums[c] as number) + (one.data[first + c] as number) - (other.data[first + c] as number)
-        }
-      }
-      if (sums.every((sum) => Math.abs(sum) <= most)) continue
-      squares += 1
-      ;[left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)]
-    }
-  }
-  return squares === 0 ? { squares } : { squares, left, top, right, bottom }
 }
 
 async function fold(page: Page, name: string, isOpen: boolean): Promise<void> {
@@ -157,6 +100,11 @@ async function fold(page: Page, name: string, isOpen: boolean): Promise<void> {
 
 /** Heap sizes of the page and of the painting thread, with the same few circles and after garbage collection. */
 async function heaps(app: App, session: CDPSession): Promise<{ page: number; thread: number; nodes: number }> {
+  // The gallery keeps its pictures, which have thousands of nodes.
+  await fold(app.page, 'Gallery', true)
+  await expect(app.page.locator('#generate .scene:has(svg)')).not.toHaveCount(0)
+  await expect(app.page.locator('#generate .scene:not(:has(svg))')).toHaveCount(0)
+  await fold(app.page, 'Layers', true)
   await app.page.getByLabel('Data set').selectOption('introduction')
   await expect(app.status).toContainText('14 circles')
   await rest(app)
@@ -174,15 +122,9 @@ test(
     console.log(`CIRCLE_VORONOI_SEED=${SEED}`)
     const { page } = app
     const session = await page.context().newCDPSession(page)
-    // Prevents navigation and dragging by the browser.
-    const stay = () => {
-      const isLink = ({ target }: Event) => (target as Element).closest('a') !== null
-      document.addEventListener('click', (event) => isLink(event) && event.preventDefault(), { capture: true })
-      document.addEventListener('dragstart', (event) => event.preventDefault(), { capture: true })
-    }
     await page.addInitScript(stay)
     await page.evaluate(stay)
-    const monkey = new Monkey(app, session, SEED)
+    const monkey = new Monkey(page, SEED, session)
     try {
       await fold(page, 'Layers', true)
       let early: Awaited<ReturnType<typeof heaps>> | undefined

@@ -2,7 +2,6 @@
 import type { CDPSession, Page } from '@playwright/test'
 import { randomNumbers } from '../../web/app/random-numbers.ts'
 import type { Point } from '../../web/lib/index.ts'
-import type { App } from './page.ts'
 
 const SIZES = [
   { width: 1280, height: 800 },
@@ -36,32 +35,49 @@ const REGIONS = [
 /** Above this number, copies of copies would soon fill the memory. */
 const MOST_CIRCLES = 3000
 
+/** The inputs of a page that the monkey uses. Only Playwright's page can change the color scheme. */
+export type Hands = {
+  evaluate<Arg, Result>(call: (arg: Arg) => Result, arg: Arg): Promise<Awaited<Result>>
+  mouse: Pick<Page['mouse'], 'click' | 'down' | 'move' | 'up' | 'wheel'>
+  keyboard: Pick<Page['keyboard'], 'down' | 'press' | 'up'>
+  setViewportSize: Page['setViewportSize']
+  emulateMedia?: (media: { colorScheme: 'light' | 'dark' }) => Promise<void>
+}
+
+/** Prevents that a page, in which it runs, navigates, drags something out or asks for a file. */
+export function stay(): void {
+  const leaves = ({ target }: Event) => (target as Element).closest('a, input[type=file]') !== null
+  document.addEventListener('click', (event) => leaves(event) && event.preventDefault(), { capture: true })
+  document.addEventListener('dragstart', (event) => event.preventDefault(), { capture: true })
+}
+
 /** Performs random gestures, keys, tools, files, layers, panels and window sizes from a seed. */
 export class Monkey {
   /** The log of actions, the last one at the end. */
   readonly done: string[] = []
-  readonly #app: App
-  readonly #page: Page
-  readonly #touch: CDPSession
+  readonly #page: Hands
+  readonly #touch: CDPSession | undefined
   readonly #random: () => number
+  #size: (typeof SIZES)[number] = SIZES[0]
 
-  constructor(app: App, touch: CDPSession, seed: number) {
-    this.#app = app
-    this.#page = app.page
+  /** Without a session of Chromium's protocol, there are no fingers. */
+  constructor(page: Hands, seed: number, touch?: CDPSession) {
+    this.#page = page
     this.#touch = touch
     this.#random = randomNumbers(seed)
   }
 
   async act(): Promise<void> {
-    const count = Number(/^([\d,]+) circle/.exec((await this.#app.status.textContent()) ?? '')?.[1]?.replace(/,/g, ''))
+    const status = await this.#page.evaluate(() => document.querySelector('#status')?.textContent ?? '', undefined)
+    const count = Number(/^([\d,]+) circle/.exec(status)?.[1]?.replace(/,/g, ''))
     if (count > MOST_CIRCLES) return this.#do('Introduction', () => this.#choose('introduction'))
     // The actions with their frequencies.
     const acts: readonly (readonly [number, () => Promise<void>])[] = [
       [10, () => this.#drag()],
       [3, () => this.#click()],
       [3, () => this.#wheel()],
-      [5, () => this.#finger()],
-      [2, () => this.#pinch()],
+      [this.#touch === undefined ? 0 : 5, () => this.#finger()],
+      [this.#touch === undefined ? 0 : 2, () => this.#pinch()],
       [8, () => this.#key()],
       [6, () => this.#command()],
       [
@@ -77,7 +93,7 @@ export class Monkey {
       [2, () => this.#region()],
       [1, () => this.#dataSet()],
       [1, () => this.#resize()],
-      [1, () => this.#scheme()],
+      [this.#page.emulateMedia === undefined ? 0 : 1, () => this.#scheme()],
     ]
     let left = this.#random() * acts.reduce((sum, [weight]) => sum + weight, 0)
     const [, act] = acts.find(([weight]) => {
@@ -86,7 +102,7 @@ export class Monkey {
     }) as (typeof acts)[number]
     await act()
     // An open dialog would take all keys and clicks.
-    await this.#page.evaluate(() => document.querySelector<HTMLDialogElement>('dialog[open]')?.close())
+    await this.#page.evaluate(() => document.querySelector<HTMLDialogElement>('dialog[open]')?.close(), undefined)
   }
 
   async #do(what: string, act: () => Promise<unknown>): Promise<void> {
@@ -103,7 +119,7 @@ export class Monkey {
   }
 
   #point(): Point {
-    const { width, height } = this.#page.viewportSize() as { width: number; height: number }
+    const { width, height } = this.#size
     return { x: Math.round(width * this.#random()), y: Math.round(height * this.#random()) }
   }
 
@@ -145,6 +161,10 @@ export class Monkey {
     })
   }
 
+  #focusFigure(): Promise<void> {
+    return this.#page.evaluate(() => document.querySelector<HTMLElement>('#figure')?.focus(), undefined)
+  }
+
   async #wheel(): Promise<void> {
     const { x, y } = this.#point()
     const delta = Math.round(1200 * (this.#random() - 0.5))
@@ -156,7 +176,7 @@ export class Monkey {
 
   #fingers(type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel', points: readonly Point[]) {
     const touchPoints = points.map(({ x, y }, id) => ({ x: Math.max(x, 0), y: Math.max(y, 0), id }))
-    return this.#touch.send('Input.dispatchTouchEvent', { type, touchPoints })
+    return (this.#touch as CDPSession).send('Input.dispatchTouchEvent', { type, touchPoints })
   }
 
   async #finger(): Promise<void> {
@@ -191,7 +211,7 @@ export class Monkey {
     const key = modifier + this.#one(isArrow ? ARROWS : KEYS)
     const isOnFigure = this.#isTrue(0.7)
     await this.#do(`key ${key}`, async () => {
-      if (isOnFigure) await this.#app.canvas.focus()
+      if (isOnFigure) await this.#focusFigure()
       await this.#page.keyboard.press(key)
     })
   }
@@ -242,7 +262,8 @@ export class Monkey {
           ]
           const field = fields[Math.floor(choice * fields.length)]
           if (field === undefined) return
-          field.value = value
+          // A picker of colors gives nothing else.
+          field.value = field.type === 'color' ? '#c04020' : value
           field.dispatchEvent(new Event('change', { bubbles: true }))
         },
         [choice, value] as const,
@@ -265,13 +286,13 @@ export class Monkey {
     const corners = Array.from({ length: 3 + Math.floor(3 * this.#random()) }, () => this.#point())
     const end = this.#one(['Enter', 'Enter', 'Enter', 'Escape'])
     await this.#do(`draw ${JSON.stringify(corners)} ${end}`, async () => {
-      await this.#app.canvas.focus()
+      await this.#focusFigure()
       await this.#page.keyboard.press('p')
       for (const { x, y } of corners) {
         await this.#page.mouse.move(x, y)
         await this.#page.mouse.click(x, y)
       }
-      await this.#app.canvas.focus()
+      await this.#focusFigure()
       await this.#page.keyboard.press(end)
     })
   }
@@ -282,8 +303,8 @@ export class Monkey {
     await this.#do('Region', () =>
       this.#page.evaluate(() => {
         const button = document.querySelector<HTMLButtonElement>('[aria-controls="region"]')
-        if (button?.ariaExpanded !== 'true') button?.click()
-      }),
+        if (button?.getAttribute('aria-expanded') !== 'true') button?.click()
+      }, undefined),
     )
     if (this.#isTrue(0.3)) await this.#button('#region .choices button')
     else await this.#select('#areas', choice)
@@ -318,11 +339,12 @@ export class Monkey {
 
   async #resize(): Promise<void> {
     const size = this.#one(SIZES)
+    this.#size = size
     await this.#do(`size ${size.width} ${size.height}`, () => this.#page.setViewportSize(size))
   }
 
   async #scheme(): Promise<void> {
     const colorScheme = this.#one(['light', 'dark'] as const)
-    await this.#do(colorScheme, () => this.#page.emulateMedia({ colorScheme }))
+    await this.#do(colorScheme, async () => this.#page.emulateMedia?.({ colorScheme }))
   }
 }

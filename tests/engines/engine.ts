@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Point } from '../../web/lib/index.ts'
+import type { Hands } from '../e2e/monkey.ts'
 
 /** A key, or a combination of held keys: `a`, `Delete`, `Control+Shift+z`. */
 export type Keys = string
@@ -8,6 +9,8 @@ export type Keys = string
 export interface Engine {
   /** The folder of downloads. */
   readonly downloads: string
+  /** Single inputs, for the monkey. */
+  readonly hands: Hands
   open(url: string): Promise<void>
   /** Calls a function in the page, which sees only its arguments, and waits for its result. Both are plain data. */
   evaluate<Args extends readonly unknown[], Result>(
@@ -29,6 +32,14 @@ export interface Engine {
   choose(selector: string, path: string): Promise<void>
   close(): Promise<void>
 }
+
+/** The pixel of the window nearest to a point. The protocols refuse points outside. */
+export function inWindow([x, y]: readonly [x: number, y: number]): [x: number, y: number] {
+  return [Math.min(Math.max(Math.round(x), 0), innerWidth - 1), Math.min(Math.max(Math.round(y), 0), innerHeight - 1)]
+}
+
+/** The keys of a combination, in the order in which they are pressed. The key `+` is one, too. */
+export const keysOf = (keys: Keys): string[] => keys.split(/(?<=.)\+/).map((key) => (key === 'Space' ? ' ' : key))
 
 /** Interval between attempts, in milliseconds. */
 const PAUSE = 50

@@ -3,7 +3,7 @@ import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import puppeteer, { type ElementHandle, type JSHandle, type KeyInput } from 'puppeteer-core'
 import type { Point } from '../../web/lib/index.ts'
-import type { Engine } from './engine.ts'
+import { type Engine, inWindow, keysOf } from './engine.ts'
 
 /** Firefox, over WebDriver BiDi. */
 export async function openFirefox(): Promise<Engine> {
@@ -21,8 +21,33 @@ export async function openFirefox(): Promise<Engine> {
   })
   const page = await browser.newPage()
   page.setDefaultTimeout(0)
+  const press = async (keys: string) => {
+    const held = keysOf(keys) as KeyInput[]
+    const last = held.pop() as KeyInput
+    for (const key of held) await page.keyboard.down(key)
+    await page.keyboard.press(last)
+    for (const key of held.reverse()) await page.keyboard.up(key)
+  }
+  const clamped = (x: number, y: number) => page.evaluate(inWindow, [x, y] as [number, number])
+  const { mouse, keyboard } = page
   return {
     downloads,
+    hands: {
+      evaluate: (call, arg) => page.evaluate(call as never, arg),
+      mouse: {
+        move: async (x, y, options) => mouse.move(...(await clamped(x, y)), options),
+        down: (options) => mouse.down(options),
+        up: (options) => mouse.up(options),
+        click: async (x, y, options) => mouse.click(...(await clamped(x, y)), { count: options?.clickCount ?? 1 }),
+        wheel: (deltaX, deltaY) => mouse.wheel({ deltaX, deltaY }),
+      },
+      keyboard: {
+        down: (key) => keyboard.down(keysOf(key)[0] as KeyInput),
+        up: (key) => keyboard.up(keysOf(key)[0] as KeyInput),
+        press,
+      },
+      setViewportSize: (size) => page.setViewport(size),
+    },
     async open(url) {
       await page.goto(url)
     },
@@ -41,13 +66,7 @@ export async function openFirefox(): Promise<Engine> {
       await element?.click()
       return element !== null
     },
-    async press(keys) {
-      const held = keys.split('+') as KeyInput[]
-      const last = held.pop() as KeyInput
-      for (const key of held) await page.keyboard.down(key)
-      await page.keyboard.press(last)
-      for (const key of held.reverse()) await page.keyboard.up(key)
-    },
+    press,
     async choose(selector, path) {
       const input = (await page.$(selector)) as ElementHandle<HTMLInputElement>
       await input.uploadFile(path)

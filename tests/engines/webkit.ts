@@ -3,7 +3,8 @@ import { type ChildProcess, spawn } from 'node:child_process'
 import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs'
 import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
-import type { Engine } from './engine.ts'
+import type { Hands } from '../e2e/monkey.ts'
+import { type Engine, inWindow, type Keys, keysOf } from './engine.ts'
 
 /** The protocol's names of keys that are not letters. */
 const KEYS: Readonly<Record<string, string>> = {
@@ -76,30 +77,74 @@ export async function openWebKit(): Promise<Engine> {
     await post('timeouts', { script: null })
     await post('window/rect', { x: 0, y: 0, width: 1280, height: 900 })
 
+    const evaluate: Engine['evaluate'] = async (call, ...args) => {
+      const script = `
+        const args = [...arguments]
+        const done = args.pop()
+        Promise.resolve().then(() => (${call})(...args))
+          .then((result) => done({ result }), (error) => done({ error: String(error) }))`
+      const { result, error }: { result: never; error?: string } = await post('execute/async', { script, args })
+      if (error !== undefined) throw new Error(error)
+      return result
+    }
+    const act = (type: string, actions: readonly object[], parameters = {}) =>
+      post('actions', { actions: [{ type, id: type, actions, ...parameters }] })
+    const mouse = (...actions: readonly object[]) => act('pointer', actions, { parameters: { pointerType: 'mouse' } })
+    const valuesOf = (keys: Keys) => keysOf(keys).map((key) => KEYS[key] ?? key)
+    const press = async (keys: Keys) => {
+      const values = valuesOf(keys)
+      await act('key', [
+        ...values.map((value) => ({ type: 'keyDown', value })),
+        ...values.reverse().map((value) => ({ type: 'keyUp', value })),
+      ])
+    }
+    const BUTTONS = { left: 0, middle: 1, right: 2 }
+    let at = { x: 0, y: 0 }
+    const moveTo = async (x: number, y: number) => {
+      const [nearX, nearY] = await evaluate(inWindow, [x, y] as const)
+      at = { x: nearX, y: nearY }
+      return { type: 'pointerMove', duration: 16, ...at }
+    }
+    const click = [
+      { type: 'pointerDown', button: 0 },
+      { type: 'pointerUp', button: 0 },
+    ]
+    const hands: Hands = {
+      evaluate,
+      mouse: {
+        move: async (x, y) => mouse(await moveTo(x, y)),
+        down: ({ button = 'left' } = {}) => mouse({ type: 'pointerDown', button: BUTTONS[button] }),
+        up: ({ button = 'left' } = {}) => mouse({ type: 'pointerUp', button: BUTTONS[button] }),
+        click: async (x, y, { clickCount = 1 } = {}) =>
+          mouse(await moveTo(x, y), ...Array.from({ length: clickCount }, () => click).flat()),
+        wheel: (deltaX, deltaY) => act('wheel', [{ type: 'scroll', ...at, deltaX, deltaY }]),
+      },
+      keyboard: {
+        down: (key) => act('key', [{ type: 'keyDown', value: valuesOf(key)[0] }]),
+        up: (key) => act('key', [{ type: 'keyUp', value: valuesOf(key)[0] }]),
+        press,
+      },
+      // The window has a toolbar.
+      setViewportSize: ({ width, height }) => post('window/rect', { width, height: height + 100 }),
+    }
+
     return {
       downloads: home,
+      hands,
       open: (url) => post('url', { url }),
-      async evaluate(call, ...args) {
-        const script = `
-          const args = [...arguments]
-          const done = args.pop()
-          Promise.resolve().then(() => (${call})(...args))
-            .then((result) => done({ result }), (error) => done({ error: String(error) }))`
-        const { result, error }: { result: never; error?: string } = await post('execute/async', { script, args })
-        if (error !== undefined) throw new Error(error)
-        return result
-      },
+      evaluate,
       async drag(points) {
-        const [first, ...others] = points.map(({ x, y }) => ({
+        const moves = points.map(({ x, y }) => ({
           type: 'pointerMove',
           duration: 16,
           // The protocol accepts whole pixels only.
           x: Math.round(x),
           y: Math.round(y),
         }))
-        const actions = [first, { type: 'pointerDown', button: 0 }, ...others, { type: 'pointerUp', button: 0 }]
-        const mouse = { type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions }
-        await post('actions', { actions: [mouse] })
+        await mouse(...moves.slice(0, 1), { type: 'pointerDown', button: 0 }, ...moves.slice(1), {
+          type: 'pointerUp',
+          button: 0,
+        })
       },
       async click(find, ...args) {
         const script = `return (${find})(...arguments) ?? null`
@@ -107,14 +152,7 @@ export async function openWebKit(): Promise<Engine> {
         if (element !== null) await post(`element/${element[ELEMENT]}/click`, {})
         return element !== null
       },
-      async press(keys) {
-        const values = keys.split('+').map((key) => KEYS[key] ?? key)
-        const actions = [
-          ...values.map((value) => ({ type: 'keyDown', value })),
-          ...values.reverse().map((value) => ({ type: 'keyUp', value })),
-        ]
-        await post('actions', { actions: [{ type: 'key', id: 'keys', actions }] })
-      },
+      press,
       async choose(selector, path) {
         const element = await post('element', { using: 'css selector', value: selector })
         await post(`element/${element[ELEMENT]}/value`, { text: path })
