@@ -3,6 +3,7 @@
 import type { Point } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { soon } from '../soon.ts'
+import { framesOf } from './frames.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
 const START = dataSet('start')
@@ -39,6 +40,21 @@ test('each circle of the first scene is dragged, also by a finger beside it', as
       if (Math.floor(k / 3) !== i) expect(moved[k], `circle ${i}`).toBe(circles[k])
     circles = moved
   }
+})
+
+test('a swipe to the right on a panel does not go back to the page before', async ({ page }) => {
+  const app = new App(page)
+  await app.open(START_LINK)
+  await app.openPanel('Layers')
+  const { x, y, width } = (await page.locator('#layers').boundingBox()) as { x: number; y: number; width: number }
+  const touch = await fingersOn(app)
+  await touch('touchStart', { x: x + 40, y: y + 80 })
+  await touch('touchMove', { x: x + width / 2, y: y + 85 })
+  await touch('touchMove', { x: x + width - 10, y: y + 90 })
+  await touch('touchEnd')
+  // The browser goes back after its own animation, and another page would not have the panel.
+  await framesOf(page, 60)
+  await expect(page.locator('#layers')).toBeVisible()
 })
 
 test('the card is one line while a circle is dragged, and opens by a tap', async ({ page }) => {

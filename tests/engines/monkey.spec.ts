@@ -55,7 +55,10 @@ for (const [name, openEngine] of ENGINES) {
       tag: '@long',
     },
     async ({ baseURL }, info) => {
-      test.fixme(name === 'WebKit', 'The figure stays busy after the first 60 actions of seed 1.')
+      test.fixme(
+        name === 'WebKit',
+        'The thread is asked for a picture of a scene that it does not have, in the first 60 actions of seed 1.',
+      )
       test.setTimeout(ACTIONS * 10_000 + 600_000)
       console.log(`CIRCLE_VORONOI_SEED=${SEED}`)
       const engine = await openEngine()
