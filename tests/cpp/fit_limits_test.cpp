@@ -165,14 +165,6 @@ TEST(AreaFitLimits, PartsMayTouchInCornersOnly) {
   }
 }
 
-/// Nothing passes until a border has come out of a part that the areas nearly fill.
-TEST(AreaFitLimits, AreasMayNearlyBeThoseOfParts) {
-  const Polygons parts = {{{{-8, 6}, {-7, 6}, {-7, 7}, {-8, 7}}}, {{{-6, -2}, {-4, -2}, {-4, 0}, {-6, 0}}}};
-  const Region region = Region::fromPolygons(parts).value();
-  const std::vector<Circle> sites = {{-7.5, 6.5, 0}, {-5.25, -0.75, 0}, {-4.5, -1.25, 0}};
-  for (const double more : {1e-2, 1e-4, 1e-6}) expectFit(sites, {1 + more, 1, 3}, region);
-}
-
 /// The rate at which area passes jumps by many decades where a border comes out of the bridge.
 TEST(AreaFitLimits, PartsMayHangTogetherByAThinBridge) {
   Random random(test::seedOr(22));

@@ -207,8 +207,6 @@ class Fitter {
   static constexpr double kMostHardening = 1e5;
   static constexpr int kMostHardenings = 2;
   static constexpr int kMostTrials = 60;
-  /// A step is longer than Newton's by this factor at most.
-  static constexpr double kLongest = 0x1p40;
   /// The number of attempts to raise the sites of hidden cells, and the share of the root of their areas by which each
   /// attempt raises them.
   static constexpr int kMostRaises = 6;
@@ -431,17 +429,6 @@ class Fitter {
       const auto isLost = [&](CircleIndex i) { return !(next->cells.areas[static_cast<std::size_t>(i)] > least); };
       if (next && leastArea(*next) > least) {
         if (!isTooFar(*next)) {
-          // Where a border has to come out of a part of the region, springs in the box are far too stiff.
-          while (isSlow && tooFar == 0 && share < kLongest &&
-                 slopeAlong(direction, forcesOn(*next)) >= slopeAlong(direction, forces) / 2) {
-            std::optional<State> further = stateAtShare(2 * share);
-            if (further && leastArea(*further) > least && !isTooFar(*further)) {
-              share *= 2;
-              next = std::move(further);
-            } else {
-              tooFar = 2 * share;
-            }
-          }
           // Where a border comes out of a thin bridge, its stiffness jumps: the best place is beside the jump.
           for (int k = 0; isSlow && k < kMostTrials && share < tooFar; ++k) {
             if (slopeAlong(direction, forcesOn(*next)) < slopeAlong(direction, forces) / 2) break;
