@@ -44,7 +44,7 @@ export type Hands = {
   emulateMedia?: (media: { colorScheme: 'light' | 'dark' }) => Promise<void>
 }
 
-/** Prevents that a page, in which it runs, navigates, drags something out or asks for a file. */
+/** Keeps the page in which it runs from leaving, from dragging something out and from asking for a file. */
 export function stay(): void {
   const leaves = ({ target }: Event) => (target as Element).closest('a, input[type=file]') !== null
   document.addEventListener('click', (event) => leaves(event) && event.preventDefault(), { capture: true })

@@ -48,7 +48,7 @@ function openLayers(hands: Hands): Promise<void> {
   }, undefined)
 }
 
-// In WebKit the painting thread loses its scenes in the first 60 actions of seed 1, which no test explains yet.
+// In WebKit the painting thread loses its scenes within 60 actions of seed 1. The cause is not known.
 for (const [name, openEngine] of ENGINES.filter(([name]) => name !== 'WebKit')) {
   test(
     `in ${name}: whatever a monkey does, edits paint what a full repaint does`,

@@ -75,7 +75,7 @@ export class Picture {
   #extent: Box = EMPTY_BOX
   /** The parts that no edit changes. */
   lasting: Lasting
-  /** A box around all circles, now or before. */
+  /** The box around all circles when `reach` was last chosen. */
   #around: Box
   /** The diagram of the centers, if a visible layer needs it. */
   centers: FollowingPicture | undefined
